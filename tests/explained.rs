@@ -58,6 +58,15 @@ fn flat_sides_of_a_hole_that_take_much_of_a_gap_are_warned_of() {
 }
 
 #[test]
+fn a_round_fit_that_is_size_on_size_has_no_gap() {
+    let dir = Dir::new();
+    add_round_fit(&dir, &round::cylinders(1.0, 20.0, &[[0.0, 0.0]]), 0.001);
+    dir.write("hole.obj", round::tube(1.0, 6.0, 10.0));
+    let run = dir.run("check fit.toml").says("tightest round fit: hole of radius 1.000 mm, no gap");
+    run.keeps_silent_about("larger than its hole").keeps_silent_about("%");
+}
+
+#[test]
 fn a_tight_round_fit_is_read_and_keeps_its_gap() {
     let dir = Dir::new();
     // No number of facets keeps a gap of 0.01 mm, which the meshes have all around.

@@ -180,15 +180,19 @@ fn print_meshes(explanation: &Explanation, is_verbose: bool) {
         }
     }
     if let Some(fit) = explanation.fit {
-        say!(
-            "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %) and \
-             flat sides of the mesh up to {:.4} mm more",
-            1e3 * fit.hole_radius_m,
-            1e3 * fit.gap_m,
-            1e3 * fit.lost_m,
-            100.0 * fit.lost_m / fit.gap_m,
-            1e3 * fit.mesh_lost_m
-        );
+        let [radius, gap, lost, mesh_lost] =
+            [fit.hole_radius_m, fit.gap_m, fit.lost_m, fit.mesh_lost_m].map(|m| 1e3 * m);
+        if warnings::is_size_on_size(fit.gap_m) {
+            say!("\ntightest round fit: hole of radius {radius:.3} mm, no gap");
+        } else if gap < 0.0 {
+            say!("\ntightest round fit: hole of radius {radius:.3} mm, a part that is {:.4} mm larger", -gap);
+        } else {
+            let share = 100.0 * lost / gap;
+            say!(
+                "\ntightest round fit: hole of radius {radius:.3} mm, gap {gap:.4} mm, of which facets take {lost:.4} mm \
+                 ({share:.1} %) and flat sides of the mesh up to {mesh_lost:.4} mm more"
+            );
+        }
     }
 }
 

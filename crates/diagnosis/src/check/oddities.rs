@@ -9,6 +9,7 @@ use crate::check::delay::delay;
 use crate::check::explanation::Explanation;
 use crate::check::pairs;
 use crate::check::sliding::sliding;
+use crate::warnings::is_size_on_size;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;
@@ -41,7 +42,13 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
 
 fn facets(explanation: &Explanation) -> Option<String> {
     let fit = explanation.fit?;
-    if fit.gap_m <= 0.0 {
+    if is_size_on_size(fit.gap_m) {
+        // Where the part is guided, a warning says so.
+        let is_said = explanation.engagement.clearance_m.is_some_and(is_size_on_size);
+        let words = "a round part is as large as its hole: state the fit by `clearance` of one of the meshes";
+        return (!is_said).then(|| words.to_owned());
+    }
+    if fit.gap_m < 0.0 {
         return Some(format!(
             "a round part is {:.3} mm larger than its hole: state the fit by `clearance` of one of the meshes",
             -1e3 * fit.gap_m

@@ -16,6 +16,8 @@ use task::LinearSolver;
 
 use crate::check::penetrations;
 
+pub use fit::is_size_on_size;
+
 /// Warnings about a problem before it is solved.
 pub fn of_problem(problem: &Problem) -> Vec<String> {
     let mut warnings = problem.scene().warnings.clone();
