@@ -52,12 +52,14 @@ fn deviations(plan: &str) -> [f64; 2] {
 }
 
 #[test]
+#[ignore = "slow, a motion with friction is solved step by step: scripts/test and CI run it"]
 fn a_box_slides_and_turns_as_in_mujoco() {
     let [with, without] = deviations("sliding");
     assert!(with < 1e-3 && without > 5.0 * with, "{with} m, {without} m without friction");
 }
 
 #[test]
+#[ignore = "slow, a motion with friction is solved step by step: scripts/test and CI run it"]
 fn a_box_sticks_as_in_mujoco() {
     let [with, without] = deviations("sticking");
     assert!(with < 2e-3 && without > 10.0 * with, "{with} m, {without} m without friction");
