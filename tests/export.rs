@@ -1,5 +1,7 @@
 //! `export`: what is written, and what is refused.
 
+use planner::Outcome;
+use planner::files::PlanResult;
 use serde_json::Value;
 
 use crate::support::{Dir, project};
@@ -284,6 +286,18 @@ fn a_plan_that_fails_in_rollouts_is_exported_only_anyway() {
     let warnings = document["warnings"].as_array().unwrap();
     assert!(warnings.iter().any(|warning| warning == "the plan was exported with --anyway"));
     assert!(dir.read("out/export/csv/README.md").contains("**Warning: at friction"));
+}
+
+#[test]
+fn former_names_in_a_result_are_read() {
+    let dir = plan();
+    let text = dir.read("out/result.json");
+    let former = text.replace("allowed_penetration_m", "max_overlap_m");
+    assert_ne!(text, former);
+    let read = |text: &str| serde_json::from_str::<PlanResult>(text).unwrap().allowed_penetration_m;
+    assert!(read(&text) > 0.0);
+    assert_eq!(read(&former), read(&text));
+    assert_eq!(serde_json::from_str::<Outcome>("\"overlapping\"").unwrap(), Outcome::Penetrating);
 }
 
 /// Text of `result.json` reaches no file; what is edited there is refused.

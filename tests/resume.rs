@@ -223,5 +223,5 @@ fn a_refined_variant_goes_on_with_its_own_tables() {
 fn a_plan_that_is_not_there_yet_is_resumed_first() {
     let dir = Dir::new();
     dir.make_folder(".out.unfinished");
-    dir.run("export out --to csv").code(2).says("out: has no plan yet, a run on it was interrupted").says("--resume");
+    dir.run("export out --to csv").code(2).says("out: has no plan yet, a run on it has not ended").says("--resume");
 }

@@ -265,7 +265,7 @@ fn without_plan(folder: &Path) -> PlannerError {
             folder.join(&cell.folder).display()
         ),
         None if WorkFolder::is_unfinished(folder) => {
-            "has no plan yet, a run on it was interrupted; the same `assembly-plan solve` with --resume resumes it"
+            "has no plan yet, a run on it has not ended; if it was interrupted, the same command with --resume resumes it"
                 .to_owned()
         }
         None if !folder.exists() => {

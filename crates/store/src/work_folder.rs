@@ -40,7 +40,7 @@ impl WorkFolder {
         work_of(&target, name).join(WHOLE).is_dir()
     }
 
-    /// Whether an interrupted run on a folder can be resumed.
+    /// Whether a run on a folder has begun and not ended; nothing is claimed.
     pub fn is_unfinished(target: &Path) -> bool {
         target.file_name().is_some_and(|name| work_of(target, name).is_dir())
     }

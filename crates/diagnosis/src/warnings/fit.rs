@@ -5,7 +5,7 @@ use plan::Problem;
 /// Largest clearance from side to side (m) that counts as zero.
 const ZERO: f64 = 1e-7;
 
-/// Whether a clearance (m) from side to side is none.
+/// Whether a clearance (m) from side to side counts as zero.
 pub fn is_size_on_size(clearance: f64) -> bool {
     clearance.abs() <= ZERO
 }
