@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 
 use crate::arc::Arc;
 use crate::axis::{Axis, Feature, PREFERENCE};
+use crate::patch::Sides;
 use crate::solid::{Edge, Solid};
 
 /// Candidates of a pair, valid until the body has moved by more than the skin.
@@ -19,6 +20,8 @@ pub struct Candidates {
     /// Edges of the body and of the environment, found when facets alone do not show the distance of the parts.
     edges: Vec<(usize, usize)>,
     edges_are_found: bool,
+    /// Of facets of the environment, and of the body.
+    sides: [Sides; 2],
     /// How far the body may move from where the candidates were found (m).
     skin: f64,
     /// How far it had moved then.
@@ -84,6 +87,7 @@ impl Candidates {
             self.lever = body.radius(position).max(environment.radius(position)) + self.skin;
             self.find_facets(body, environment);
             self.edges_are_found = false;
+            self.sides.iter_mut().for_each(Sides::clear);
         }
         // At least one facet was chosen.
         let of_environment = self.environment_facets.better(f64::NEG_INFINITY, environment, body);
@@ -110,6 +114,16 @@ impl Candidates {
             self.edges_are_found = true;
         }
         best_of(&self.edges, body, edges, facet.separation + PREFERENCE)
+    }
+
+    /// Sides of facets of the environment, and how far points move at most between two poses for which they are valid (m).
+    pub fn environment_sides(&mut self) -> (&mut Sides, f64) {
+        (&mut self.sides[0], 2.0 * self.skin + ROUNDING)
+    }
+
+    /// The same of the body's facets.
+    pub fn body_sides(&mut self) -> (&mut Sides, f64) {
+        (&mut self.sides[1], 2.0 * self.skin + ROUNDING)
     }
 
     fn find_facets(&mut self, body: &Solid, environment: &Solid) {

@@ -226,12 +226,18 @@ impl<'shapes> ContactFinder<'shapes> {
         let mut better = known.and_then(|known| known_edges(known, body, edges, &axis));
         if better.is_none() {
             match axis.feature {
-                Feature::EnvironmentFacet { facet, vertex } => patch.fill(environment, facet, body, vertex),
-                Feature::BodyFacet { facet, vertex } => patch.fill(body, facet, environment, vertex),
+                Feature::EnvironmentFacet { facet, vertex } => {
+                    let (sides, margin) = candidates.environment_sides();
+                    patch.fill(environment, facet, body, vertex, sides, margin);
+                }
+                Feature::BodyFacet { facet, vertex } => {
+                    let (sides, margin) = candidates.body_sides();
+                    patch.fill(body, facet, environment, vertex, sides, margin);
+                }
                 Feature::Edges(..) => {}
             }
             // No axis separates the parts by more than the distance of two of their points.
-            let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
+            let is_best = patch.distance() < axis.separation + PREFERENCE - ROUNDING;
             better = if is_best { None } else { candidates.better_edges(body, environment, edges, &axis) };
             if let Some(Axis { feature: Feature::Edges(edge, opposite), .. }) = better {
                 *known = Some((edge, opposite));

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::solid::Solid;
+use crate::solid::{Facet, Solid};
 
 /// Sides shorter than this (m) are corners.
 const SHORTEST_SIDE: f64 = 1e-9;
@@ -14,6 +14,36 @@ pub struct Patch {
     clipped: Vec<(Vector3<f64>, f64)>,
 }
 
+/// The sides of a facet that may cut the facet that faces it, while neither moves far.
+#[derive(Debug, Clone, Default)]
+pub struct Sides {
+    /// The facet and the facing one.
+    facets: Option<[usize; 2]>,
+    /// Positions of the sides' first corners among those of the facet.
+    cutting: Vec<usize>,
+}
+
+impl Sides {
+    /// Leaves no facet.
+    pub fn clear(&mut self) {
+        self.facets = None;
+    }
+
+    /// The sides of a facet of `solid` that cut the facing facet of `other` or are nearer to it than `margin` (m).
+    fn find(&mut self, solid: &Solid, facet: usize, other: &Solid, facing: usize, margin: f64) {
+        self.facets = Some([facet, facing]);
+        self.cutting.clear();
+        for side in 0..solid.facets[facet].corners.len() {
+            let (corner, outward) = solid.side(facet, side);
+            let height = |&point: &usize| outward.dot(&(other.vertices[point] - corner));
+            let highest = other.facets[facing].corners.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            if highest > -margin * outward.norm() {
+                self.cutting.push(side);
+            }
+        }
+    }
+}
+
 impl Patch {
     /// Leaves no point.
     pub fn clear(&mut self) {
@@ -21,18 +51,22 @@ impl Patch {
     }
 
     /// Clips the facing facet of `other`, whose nearest vertex is `vertex`, to the prism over a facet of `solid`. The
-    /// points are the corners that remain.
-    pub fn fill(&mut self, solid: &Solid, facet: usize, other: &Solid, vertex: usize) {
-        let facet = &solid.facets[facet];
+    /// points are the corners that remain. `sides` are those of this pair of solids, and are found again for other facets:
+    /// for all poses between which no point of one solid moves by more than `margin` (m) seen from the other.
+    pub fn fill(&mut self, solid: &Solid, facet: usize, other: &Solid, vertex: usize, sides: &mut Sides, margin: f64) {
+        let Facet { normal, offset, .. } = &solid.facets[facet];
+        let Some(facing) = other.facing_facet(vertex, normal) else { return };
+        if sides.facets != Some([facet, facing]) {
+            sides.find(solid, facet, other, facing, margin);
+        }
         // Until the end the second numbers are heights over the sides of the prism.
-        self.points.extend(facing_facet(other, vertex, &facet.normal).map(|corner| (corner, 0.0)));
-        for (&from, &to) in facet.corners.iter().zip(facet.corners.iter().cycle().skip(1)) {
-            let corner = solid.vertices[from];
-            let outward = (solid.vertices[to] - corner).cross(&facet.normal);
+        self.points.extend(other.facets[facing].corners.iter().map(|&corner| (other.vertices[corner], 0.0)));
+        for &side in &sides.cutting {
+            let (corner, outward) = solid.side(facet, side);
             self.clip(|point| outward.dot(&(point - corner)));
         }
         for (point, gap) in &mut self.points {
-            *gap = facet.normal.dot(point) - facet.offset;
+            *gap = normal.dot(point) - offset;
         }
     }
 
@@ -78,15 +112,4 @@ impl Patch {
         }
         std::mem::swap(&mut self.points, &mut self.clipped);
     }
-}
-
-/// Corners of the facet whose normal is most opposed to `normal`, of the facets that meet in a vertex.
-fn facing_facet<'solid>(
-    solid: &'solid Solid,
-    vertex: usize,
-    normal: &Vector3<f64>,
-) -> impl Iterator<Item = Vector3<f64>> + 'solid {
-    let meeting = solid.meeting[vertex].iter().map(|&facet| &solid.facets[facet]);
-    let facing = meeting.min_by(|one, other| one.normal.dot(normal).total_cmp(&other.normal.dot(normal)));
-    facing.into_iter().flat_map(|facet| facet.corners.iter().map(|&corner| solid.vertices[corner]))
 }

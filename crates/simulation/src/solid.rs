@@ -118,6 +118,21 @@ impl Solid {
         corners.min_by(|one, other| distance(one).total_cmp(&distance(other))).unwrap_or(self.vertices[0])
     }
 
+    /// A corner of a facet, and the direction in its plane that points out of it at the side from there to the next corner, as
+    /// long as the side (m).
+    pub fn side(&self, facet: usize, side: usize) -> (Vector3<f64>, Vector3<f64>) {
+        let Facet { normal, corners, .. } = &self.facets[facet];
+        let next = if side + 1 < corners.len() { side + 1 } else { 0 };
+        let corner = self.vertices[corners[side]];
+        (corner, (self.vertices[corners[next]] - corner).cross(normal))
+    }
+
+    /// The facet whose normal is most opposed to `normal`, of those that meet in a vertex.
+    pub fn facing_facet(&self, vertex: usize, normal: &Vector3<f64>) -> Option<usize> {
+        let component = |facet: &usize| self.facets[*facet].normal.dot(normal);
+        self.meeting[vertex].iter().copied().min_by(|one, other| component(one).total_cmp(&component(other)))
+    }
+
     /// End points of an edge.
     pub fn segment(&self, edge: &Edge) -> [Vector3<f64>; 2] {
         edge.ends.map(|end| self.vertices[end])
