@@ -7,7 +7,7 @@ use serde::Serialize;
 use task::AssemblyTask;
 
 use crate::clearance::Clearance;
-use crate::pose_clearance::longest_travel;
+use crate::pose_clearance::{largest_offset, longest_travel};
 
 /// Axes across the insertion along which clearance is measured at first.
 const AXES: usize = 8;
@@ -39,6 +39,18 @@ pub struct Engagement {
     /// Resting error: how far clearance lets the body rest from its goal across the insertion, in guided directions
     /// (m); `None` where something stops it on one side only.
     pub rest_m: Option<f64>,
+    /// Where a body that is off meets the environment; `None` where clearance is wide enough for all offsets.
+    pub entrance: Option<Entrance>,
+}
+
+/// Where an offset body meets what guides it: the greatest distance from the goal at which clearance is less than twice the
+/// largest offset.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Entrance {
+    /// Distance from the goal along the way out (m).
+    pub distance_m: f64,
+    /// Clearance there between the stops of the tightest guided direction (m).
+    pub clearance_m: f64,
 }
 
 /// Travel along an axis both ways (m); infinite where nothing stops the body.
@@ -66,12 +78,20 @@ impl Travels {
 
 /// Finds what guides the body of a task at its goal, and how deep.
 pub fn engagement(task: &AssemblyTask) -> Engagement {
-    Search { clearance: Clearance::new(task), goal: task.goal.position(), longest: longest_travel(task) }.run(task)
+    Search {
+        offset: largest_offset(task),
+        clearance: Clearance::new(task),
+        goal: task.goal.position(),
+        longest: longest_travel(task),
+    }
+    .run(task)
 }
 
 struct Search<'task> {
     clearance: Clearance<'task>,
     goal: Vector3<f64>,
+    /// Largest offset, and longest travel that is looked at (m).
+    offset: f64,
     longest: f64,
 }
 
@@ -79,7 +99,14 @@ impl Search<'_> {
     fn run(mut self, task: &AssemblyTask) -> Engagement {
         let path = task.start.position() - self.goal;
         let Some(out) = self.out(&path) else {
-            return Engagement { out: [0.0; 3], depth_m: None, free: Vec::new(), clearance_m: None, rest_m: None };
+            return Engagement {
+                out: [0.0; 3],
+                depth_m: None,
+                free: Vec::new(),
+                clearance_m: None,
+                rest_m: None,
+                entrance: None,
+            };
         };
         let first = out.cross(&Vector3::ith(out.iamin(), 1.0)).normalize();
         let turned = |angle: f64| first * angle.cos() + out.cross(&first) * angle.sin();
@@ -104,8 +131,27 @@ impl Search<'_> {
             _ => tightest.farther(),
         };
         let clearance_m = Some(tightest.clearance()).filter(|clearance| clearance.is_finite());
-        let depth_m = (!guided.is_empty()).then(|| self.depth(&out, path.dot(&out), &guided));
-        Engagement { out: out.into(), depth_m, free, clearance_m, rest_m }
+        let length = path.dot(&out);
+        let depth_m = (!guided.is_empty()).then(|| {
+            self.last(&out, length, |search, from| {
+                guided.iter().all(|axis| search.travels(from, axis).clearance().is_finite())
+            })
+        });
+        let entrance = self.entrance(&out, length, &guided);
+        Engagement { out: out.into(), depth_m, free, clearance_m, rest_m, entrance }
+    }
+
+    fn entrance(&mut self, out: &Vector3<f64>, length: f64, guided: &[Vector3<f64>]) -> Option<Entrance> {
+        let tightest = |search: &mut Self, from: &Vector3<f64>| {
+            guided.iter().map(|axis| search.travels(from, axis).clearance()).fold(f64::INFINITY, f64::min)
+        };
+        let catches = |clearance: f64, offset: f64| clearance < 2.0 * offset;
+        let (goal, offset) = (self.goal, self.offset);
+        if !catches(tightest(self, &goal), offset) {
+            return None;
+        }
+        let distance_m = self.last(out, length, |search, from| catches(tightest(search, from), offset));
+        Some(Entrance { distance_m, clearance_m: tightest(self, &(goal + out * distance_m)) })
     }
 
     /// The direction in which the body leaves its goal: along the path to the start or, where that leads through the
@@ -149,18 +195,21 @@ impl Search<'_> {
         widest
     }
 
-    /// The distance from the goal up to which the body is guided along all axes, looked at on a path of some length (m).
-    fn depth(&mut self, out: &Vector3<f64>, length: f64, guided: &[Vector3<f64>]) -> f64 {
-        let mut is_guided = |distance: f64| {
-            let from = self.goal + out * distance;
-            guided.iter().all(|axis| self.travels(&from, axis).clearance().is_finite())
-        };
+    /// The distance from the goal up to which something holds of the body's position, looked at on a path of some length (m).
+    fn last(
+        &mut self,
+        out: &Vector3<f64>,
+        length: f64,
+        mut holds: impl FnMut(&mut Self, &Vector3<f64>) -> bool,
+    ) -> f64 {
+        let goal = self.goal;
+        let mut holds_at = |distance: f64| holds(self, &(goal + out * distance));
         let at = |pose: usize| length * pose as f64 / POSES as f64;
-        let Some(first_free) = (1..=POSES).find(|&pose| !is_guided(at(pose))) else { return length };
-        let (mut low, mut high) = (at(first_free - 1), at(first_free));
+        let Some(first) = (1..=POSES).find(|&pose| !holds_at(at(pose))) else { return length };
+        let (mut low, mut high) = (at(first - 1), at(first));
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if is_guided(middle) { low = middle } else { high = middle }
+            if holds_at(middle) { low = middle } else { high = middle }
         }
         low
     }

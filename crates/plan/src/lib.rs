@@ -51,7 +51,7 @@ pub use arm_course::ArmCourse;
 pub use checkpoint::Checkpoint;
 pub use clock::{Now, RunClock};
 pub use digest::{Hasher, hash, reference_hash};
-pub use engagement::{Engagement, engagement};
+pub use engagement::{Engagement, Entrance, engagement};
 pub use error::{Fault, PlannerError, Unusable, short};
 pub use format::Format;
 pub use homotopy_run::HomotopyRun;

@@ -344,7 +344,7 @@ pub struct SpiralParameters {
 
 impl Default for SpiralParameters {
     fn default() -> Self {
-        Self { pitch: 0.5, longest: 15.0 }
+        Self { pitch: 0.5, longest: 30.0 }
     }
 }
 

@@ -45,12 +45,14 @@ impl PoseClearance {
     }
 }
 
+/// Length of the largest offset of a scenario (m).
+pub fn largest_offset(task: &AssemblyTask) -> f64 {
+    task.offsets().iter().map(|offset| Vector3::from(*offset).norm()).fold(0.0, f64::max)
+}
+
 /// Longest travel that is looked at (m).
 pub fn longest_travel(task: &AssemblyTask) -> f64 {
-    let norm = |vector: &[f64]| vector.iter().map(|component| component * component).sum::<f64>().sqrt();
-    let offset = task.offsets().iter().map(|offset| norm(offset)).fold(0.0, f64::max);
-    let path: [f64; 3] = std::array::from_fn(|axis| task.start[axis] - task.goal[axis]);
-    (OFFSETS * offset).max(PATH * norm(&path))
+    (OFFSETS * largest_offset(task)).max(PATH * (task.start.position() - task.goal.position()).norm())
 }
 
 /// Clearance at the goal and at some poses on the path to it.

@@ -11,7 +11,7 @@ use crate::first::judge_first;
 use crate::origin::{Origin, Solved};
 use crate::resume::{earlier_work, restore};
 use crate::search::Search;
-use crate::simple::{best_simple, earlier, or_simple, simple_motions};
+use crate::simple::{judge_simple, or_simple};
 
 /// Evaluates the plan of the scene, and refines it, or a simple motion, unless it is good enough; margins follow later. Or
 /// resumes an earlier run. `solving` is the time that the plan took.
@@ -38,23 +38,9 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
     Ok(())
 }
 
-/// Evaluates the earlier plan, or else the best simple motion, and refines the best of these unless it is good enough. False
-/// where there is neither.
+/// Evaluates simple motions, and refines the best of them unless it is good enough. False where there is none.
 fn refine_unsolved(search: &mut Search, plan: &Plan, solving: Duration) -> Result<bool, PlannerError> {
-    let (earlier, until) = (earlier(search), search.schedule.own());
-    if let Some(earlier) = &earlier {
-        let solved = Solved::new(Origin::Earlier, plan.variant.clone(), plan.iterations.clone());
-        judge_first(search, solved, earlier.clone())?;
-        if !search.goes_on(until) {
-            return Ok(true);
-        }
-    }
-    let Some(simple) = best_simple(search, simple_motions(search), &plan.iterations, until) else {
-        return Ok(earlier.is_some());
-    };
-    if earlier.is_none() {
-        judge_first(search, simple.solved.clone(), simple.refinement.reference().clone())?;
-    }
+    let Some(simple) = judge_simple(search, &plan.iterations, search.schedule.own())? else { return Ok(false) };
     refine_first(search, simple, solving)?;
     Ok(true)
 }
@@ -68,7 +54,7 @@ fn refine_first<'run>(
     if !search.goes_on(search.schedule.own()) {
         return Ok(());
     }
-    // The round of the candidate replaces that of the first evaluation.
-    search.found.rounds.clear();
+    // The round of the candidate replaces that of its first evaluation.
+    search.found.rounds.pop();
     refine_better(search, candidate, solving)
 }

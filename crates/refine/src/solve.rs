@@ -27,7 +27,8 @@ fn solve_for(problem: &Problem, target: &RobustnessTarget, session: &Session) ->
     target.validate()?;
     let [evaluator, trainer] = evaluators(problem, target, &straight_push(problem), session)?;
     let search = Search::new(Setting { problem, target, session, evaluator: &evaluator, trainer: &trainer });
-    if let Some(earlier) = earlier(&search).filter(|earlier| first_pass(&search, earlier)) {
+    let earlier = earlier(&search).map(|(_, reference)| reference);
+    if let Some(earlier) = earlier.filter(|earlier| first_pass(&search, earlier)) {
         return plan::unsolved(problem, &earlier, session.threads);
     }
     let mut simple: Vec<Reference> = simple_motions(&search).into_iter().map(|(_, reference)| reference).collect();

@@ -1,8 +1,8 @@
-//! A reference that looks for a hole along a spiral.
+//! A reference that looks for a hole along a spiral, or for a slot from side to side.
 //!
-//! A body that is off in the gripper by more than its clearance lands beside the hole. Pressed lightly onto the rim, it is led
-//! along a spiral around where the hole should be, until it falls in; the walls of the hole then hold it while the reference
-//! goes on. Every offset within the spiral finds the hole once, whatever its direction.
+//! A body that is off in the gripper by more than its clearance lands beside the hole. Pressed onto the rim, it is led along a
+//! spiral around where the hole should be, until it falls in; the walls of the hole then hold it while the reference goes on.
+//! Every offset within the spiral finds the hole once, whatever its direction.
 
 use std::f64::consts::{PI, TAU};
 
@@ -17,7 +17,11 @@ use crate::reference::Reference;
 pub struct SpiralSearch {
     /// Direction in which the body leaves its goal (unit vector, world frame).
     pub out: Vector3<f64>,
-    /// Distance from the goal along that up to which the hole guides the body across it (m).
+    /// The only direction across that in which the hole guides the body (unit vector); all where it is `None`.
+    pub guided: Option<Vector3<f64>>,
+    /// Whether it turns the other way, or begins at the other side.
+    pub is_mirrored: bool,
+    /// Distance from the goal along the way out where the hole begins (m).
     pub depth: f64,
     /// Offsets up to this length are to find the hole (m).
     pub offset: f64,
@@ -31,12 +35,13 @@ pub struct SpiralSearch {
 
 /// Turns of the spiral beyond the largest offset: friction holds the body back.
 const TURNS_BEYOND: f64 = 2.0;
-/// Friction holds the body back by at most this share of the pitch while the reference is deepest below the rim.
-const LAG: f64 = 1.0;
+/// Friction holds the body back by at most this many pitches while the reference is deepest below the rim. A body that is pressed
+/// less is led out of the hole again before it has fallen past its chamfer.
+const LAG: f64 = 4.0;
 /// The least friction for which the reference is that deep: without friction it would be infinitely deep.
 const LEAST_FRICTION: f64 = 0.1;
 /// The body passes the pitch in this many times `sqrt(mass / stiffness)`, in which it falls into the hole.
-const RESPONSES: f64 = 0.5;
+const RESPONSES: f64 = 0.7;
 /// Height above the rim at which the body slows down, in pitches, and its velocity from there, in that of the spiral.
 const APPROACH: f64 = 5.0;
 /// Velocities before and after the search, in those of the straight motion.
@@ -46,16 +51,15 @@ impl SpiralSearch {
     /// The search of a task: towards the rim, along the spiral, to the goal, which it reaches in the goal's orientation. `None`
     /// where it would take too long, or a value is not positive.
     pub fn reference(&self, task: &AssemblyTask) -> Option<Reference> {
-        let Self { out, depth, offset, pitch, friction, longest } = *self;
+        let Self { out, depth, offset, pitch, longest, .. } = *self;
         let mass = out.dot(&(task.inertia.translational() * out));
         let response = (mass / task.impedance.translational_stiffness).sqrt();
-        let (velocity, radius) = (pitch / (RESPONSES * response), offset + TURNS_BEYOND * pitch);
-        let length = PI * radius * radius / pitch;
-        let duration = length / velocity;
+        let velocity = pitch / (RESPONSES * response);
+        let duration = self.length() / velocity;
         if !(depth > 0.0 && pitch > 0.0 && offset > 0.0 && duration <= longest) {
             return None;
         }
-        let deepest = (LAG * pitch / friction.max(LEAST_FRICTION)).min(depth);
+        let deepest = self.deepest();
         let time_step = task.horizon.time_step;
         let (start, goal) = (task.start.isometry(), task.goal.isometry());
         let rim = goal.translation.vector + out * depth;
@@ -66,19 +70,46 @@ impl SpiralSearch {
         let mut search = Search { poses: vec![start], time_step };
         search.lead_to(at(Vector3::zeros(), -APPROACH * pitch), straight);
         search.lead_to(at(Vector3::zeros(), 0.5 * deepest), velocity);
-        let first = out.cross(&Vector3::ith(out.iamin(), 1.0)).normalize();
-        let second = out.cross(&first);
         let knots = (duration / time_step).ceil() as usize;
         search.poses.extend((1..=knots).map(|knot| {
             let share = knot as f64 / knots as f64;
-            // Equal lengths in equal times.
-            let (distance, angle) = (radius * share.sqrt(), TAU * radius * share.sqrt() / pitch);
-            let across = (first * angle.cos() + second * angle.sin()) * distance;
-            at(across, 0.5 * deepest * (1.0 + share))
+            at(self.across(share), 0.5 * deepest * (1.0 + share))
         }));
         search.lead_to(at(Vector3::zeros(), deepest), velocity);
         search.lead_to(goal, straight);
         Some(search.reference())
+    }
+
+    /// Largest depth of the reference below the rim (m).
+    fn deepest(&self) -> f64 {
+        (LAG * self.pitch / self.friction.max(LEAST_FRICTION)).min(self.depth)
+    }
+
+    /// Largest distance of the search from the hole (m). From side to side, the body is held back on its way out.
+    fn radius(&self) -> f64 {
+        let held_back = self.guided.map_or(0.0, |_| self.friction * self.deepest());
+        self.offset + TURNS_BEYOND * self.pitch + held_back
+    }
+
+    /// Length of the search (m).
+    fn length(&self) -> f64 {
+        let radius = self.radius();
+        if self.guided.is_some() { 3.0 * radius } else { PI * radius * radius / self.pitch }
+    }
+
+    /// Where the search is across the way out (m) after a share of its length.
+    fn across(&self, share: f64) -> Vector3<f64> {
+        let (radius, out) = (self.radius(), &self.out);
+        let sign = if self.is_mirrored { -1.0 } else { 1.0 };
+        if let Some(guided) = self.guided {
+            // To one side, then to the other.
+            let way = 3.0 * share;
+            return guided * (sign * radius * if way < 1.0 { way } else { 2.0 - way });
+        }
+        let first = out.cross(&Vector3::ith(out.iamin(), 1.0)).normalize();
+        // Equal lengths in equal times.
+        let (distance, angle) = (radius * share.sqrt(), TAU * radius * share.sqrt() / self.pitch);
+        (first * angle.cos() + out.cross(&first) * (sign * angle.sin())) * distance
     }
 }
 
@@ -114,6 +145,8 @@ mod tests {
 
     const SEARCH: SpiralSearch = SpiralSearch {
         out: Vector3::new(0.0, 0.0, 1.0),
+        guided: None,
+        is_mirrored: false,
         depth: 0.012,
         offset: 2e-3,
         pitch: 3e-4,
@@ -144,12 +177,19 @@ mod tests {
     }
 
     #[test]
-    fn every_offset_is_passed_within_half_a_pitch_at_a_light_depth() {
+    fn every_offset_is_passed_within_half_a_pitch_below_the_rim() {
         let task = insertion();
         let reference = SEARCH.reference(&task).unwrap();
         let positions: Vec<[f64; 3]> = reference.positions().collect();
-        let rim = |position: &&[f64; 3]| (position[2] - SEARCH.depth).abs() < 7e-4;
-        let near: Vec<&[f64; 3]> = positions.iter().filter(rim).collect();
+        let mirrored = SpiralSearch { is_mirrored: true, ..SEARCH }.reference(&task).unwrap();
+        // Its first axis is along y.
+        let are_mirrored = positions
+            .iter()
+            .zip(mirrored.positions())
+            .all(|(one, other)| (one[0] + other[0]).abs() < 1e-12 && one[1..] == other[1..]);
+        assert!(are_mirrored, "the other one turns the other way");
+        let pressing = |position: &&[f64; 3]| (0.0..2.5e-3).contains(&(SEARCH.depth - position[2]));
+        let near: Vec<&[f64; 3]> = positions.iter().filter(pressing).collect();
         let mut random = fastrand::Rng::with_seed(1);
         for _ in 0..200 {
             let (angle, length) = (TAU * random.f64(), SEARCH.offset * random.f64().sqrt());
@@ -167,6 +207,29 @@ mod tests {
         let last = positions[positions.len() - 1];
         assert!(last.iter().all(|component| component.abs() < 1e-12), "it ends at the goal: {last:?}");
         assert!((reference.start().isometry().rotation.angle() - 0.0894).abs() < 1e-3, "it begins at the start");
+    }
+
+    #[test]
+    fn a_slot_is_looked_for_from_side_to_side() {
+        let task = insertion();
+        let guided = Vector3::new(0.6, 0.8, 0.0);
+        let positions: Vec<Vector3<f64>> = SpiralSearch { guided: Some(guided), ..SEARCH }
+            .reference(&task)
+            .unwrap()
+            .positions()
+            .map(Vector3::from)
+            .collect();
+        let across = |position: &Vector3<f64>| position - Vector3::z() * position.z;
+        assert!(positions.iter().all(|position| across(position).cross(&guided).norm() < 1e-12));
+        // Friction of 0.5 holds the body back by half of what the reference is deeper than the rim.
+        for side in [-1.0, 1.0] {
+            let reached = positions
+                .iter()
+                .map(|position| side * across(position).dot(&guided) - 0.5 * (SEARCH.depth - position.z).max(0.0));
+            let farthest = reached.fold(f64::NEG_INFINITY, f64::max);
+            assert!(farthest > SEARCH.offset + 1.5 * SEARCH.pitch, "{farthest} m to one side");
+        }
+        assert!(across(&positions[positions.len() - 1]).norm() < 1e-12, "it ends above the goal");
     }
 
     #[test]

@@ -73,6 +73,30 @@ fn a_plug_is_engaged_as_deep_as_its_socket_holds_it() {
     assert!(of_problem(&problem).is_empty(), "{:?}", of_problem(&problem));
 }
 
+/// Walls of another height than 0 (m).
+fn raised<'name>(walls: &[(&'name str, [f64; 3], [f64; 3])], height: f64) -> Vec<(&'name str, [f64; 3], [f64; 3])> {
+    walls.iter().map(|(name, edges, [x, y, z])| (*name, *edges, [*x, *y, z + height])).collect()
+}
+
+#[test]
+fn a_body_that_is_off_enters_where_clearance_is_less_than_twice_its_offset() {
+    let entrance = |walls: &[(&str, [f64; 3], [f64; 3])]| problem(&text(-0.0018, 0.0, walls)).engagement().entrance;
+    let found = entrance(&socket(5e-5)).unwrap();
+    is_near(found.distance_m, 0.0018, 2e-5);
+    is_near(found.clearance_m, 1e-4, 5e-6);
+    // Offsets of 1 mm do not reach the walls of a recess that is 3 mm wider, but those of one that is 1 mm wider.
+    let names = |walls: Vec<(&'static str, [f64; 3], [f64; 3])>, names: [&'static str; 4]| {
+        walls.into_iter().zip(names).map(|((_, edges, place), name)| (name, edges, place)).collect::<Vec<_>>()
+    };
+    let recess = |play: f64| names(raised(&socket(play), 0.003), ["a", "b", "c", "d"]);
+    let found = entrance(&[socket(5e-5), recess(1.5e-3)].concat()).unwrap();
+    is_near(found.distance_m, 0.0018, 2e-5);
+    let found = entrance(&[socket(5e-5), recess(5e-4)].concat()).unwrap();
+    is_near(found.distance_m, 0.0048, 2e-5);
+    is_near(found.clearance_m, 1e-3, 5e-5);
+    assert_eq!(entrance(&socket(1.1e-3)), None, "every offset fits");
+}
+
 #[test]
 fn a_tolerance_that_calls_an_unassembled_part_a_success_is_warned_of() {
     let stated = Choices { position_tolerance: Some(0.003), ..Choices::default() };
