@@ -11,6 +11,19 @@ use crate::schedule::Deadline;
 use crate::search::Search;
 use crate::setting::Setting;
 
+/// How holes are searched for.
+#[derive(Clone, Copy)]
+struct Manner {
+    /// Whether the search turns the other way.
+    is_mirrored: bool,
+    /// How many pitches friction may hold the body back.
+    lag: f64,
+}
+
+const USUAL: Manner = Manner { is_mirrored: false, lag: 4.0 };
+/// Friction may hold the body back by so many pitches where it is pressed lightly.
+const LIGHT: f64 = 1.0;
+
 /// A motion and where it is from.
 pub type Motion = (Origin, Reference);
 
@@ -29,7 +42,7 @@ pub fn or_simple<'run>(search: &Search<'run>, own: Candidate<'run>, until: Deadl
     }
 }
 
-/// Evaluates the earlier plan, simple motions, and searches that turn the other way, each time the one that passes most of the
+/// Evaluates the earlier plan, simple motions, and searches of another manner, each time the one that passes most of the
 /// training set, until one is good enough or none passes more than the last one did. The failures of each join the training
 /// set. Returns the last one; `None` without motions or time.
 pub fn judge_simple<'run>(
@@ -38,7 +51,8 @@ pub fn judge_simple<'run>(
     until: Deadline,
 ) -> Result<Option<Candidate<'run>>, PlannerError> {
     let (mut motions, mut best): (Vec<Motion>, Option<Candidate>) = (Vec::new(), None);
-    let stages: [fn(&Search) -> Vec<Motion>; 3] = [|search| Vec::from_iter(earlier(search)), simple_motions, mirrored];
+    let stages: [fn(&Search) -> Vec<Motion>; 3] =
+        [|search| Vec::from_iter(earlier(search)), simple_motions, other_searches];
     for stage in stages {
         let new = stage(search);
         if new.is_empty() {
@@ -83,12 +97,13 @@ fn best_simple<'run>(
 /// they have never become robust there.
 pub fn simple_motions(search: &Search) -> Vec<Motion> {
     let push = (Origin::Push, straight_push(search.setting.problem));
-    tried(search, || searches(search, false).into_iter().chain([push]).collect())
+    tried(search, || searches(search, USUAL).into_iter().chain([push]).collect())
 }
 
-/// The searches for the hole that turn the other way.
-fn mirrored(search: &Search) -> Vec<Motion> {
-    tried(search, || searches(search, true))
+/// Searches for the hole that press less, and such that turn the other way.
+fn other_searches(search: &Search) -> Vec<Motion> {
+    let other = [Manner { lag: LIGHT, ..USUAL }, Manner { is_mirrored: true, ..USUAL }];
+    tried(search, || other.into_iter().flat_map(|manner| searches(search, manner)).collect())
 }
 
 /// Those of some motions that keep all limits, where motions are tried that solve nothing.
@@ -114,8 +129,8 @@ pub fn straight_push(problem: &Problem) -> Reference {
 }
 
 /// The searches for the hole, from where offset bodies meet it: with the clearance at the goal and, where that is wider because the
-/// hole narrows, with the one at the entrance. Or those that turn the other way.
-fn searches(search: &Search, is_mirrored: bool) -> Vec<Motion> {
+/// hole narrows, with the one at the entrance.
+fn searches(search: &Search, Manner { is_mirrored, lag }: Manner) -> Vec<Motion> {
     let (problem, target) = (search.setting.problem, search.setting.target);
     let (engagement, parameters) = (problem.engagement(), target.parameters.spiral);
     let Some((entrance, tightest)) = engagement.entrance.zip(engagement.clearance_m) else { return Vec::new() };
@@ -128,6 +143,7 @@ fn searches(search: &Search, is_mirrored: bool) -> Vec<Motion> {
             out,
             guided,
             is_mirrored,
+            lag,
             depth: entrance.distance_m,
             offset: problem.offset_magnitude(),
             pitch: parameters.pitch * clearance,

@@ -21,6 +21,9 @@ pub struct SpiralSearch {
     pub guided: Option<Vector3<f64>>,
     /// Whether it turns the other way, or begins at the other side.
     pub is_mirrored: bool,
+    /// Friction holds the body back by at most this many pitches while the reference is deepest below the rim. A body that is
+    /// pressed less is led out of the hole again before it has fallen past a chamfer; one that is pressed more may get stuck.
+    pub lag: f64,
     /// Distance from the goal along the way out where the hole begins (m).
     pub depth: f64,
     /// Offsets up to this length are to find the hole (m).
@@ -35,9 +38,6 @@ pub struct SpiralSearch {
 
 /// Turns of the spiral beyond the largest offset: friction holds the body back.
 const TURNS_BEYOND: f64 = 2.0;
-/// Friction holds the body back by at most this many pitches while the reference is deepest below the rim. A body that is pressed
-/// less is led out of the hole again before it has fallen past its chamfer.
-const LAG: f64 = 4.0;
 /// The least friction for which the reference is that deep: without friction it would be infinitely deep.
 const LEAST_FRICTION: f64 = 0.1;
 /// The body passes the pitch in this many times `sqrt(mass / stiffness)`, in which it falls into the hole.
@@ -82,7 +82,7 @@ impl SpiralSearch {
 
     /// Largest depth of the reference below the rim (m).
     fn deepest(&self) -> f64 {
-        (LAG * self.pitch / self.friction.max(LEAST_FRICTION)).min(self.depth)
+        (self.lag * self.pitch / self.friction.max(LEAST_FRICTION)).min(self.depth)
     }
 
     /// Largest distance of the search from the hole (m). From side to side, the body is held back on its way out.
@@ -147,6 +147,7 @@ mod tests {
         out: Vector3::new(0.0, 0.0, 1.0),
         guided: None,
         is_mirrored: false,
+        lag: 4.0,
         depth: 0.012,
         offset: 2e-3,
         pitch: 3e-4,
