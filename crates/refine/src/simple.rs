@@ -100,7 +100,7 @@ pub fn simple_motions(search: &Search) -> Vec<Motion> {
     tried(search, || searches(search, USUAL).into_iter().chain([push]).collect())
 }
 
-/// Searches for the hole that press less, and such that turn the other way.
+/// Searches for the hole that press less, and searches that turn the other way.
 fn other_searches(search: &Search) -> Vec<Motion> {
     let other = [Manner { lag: LIGHT, ..USUAL }, Manner { is_mirrored: true, ..USUAL }];
     tried(search, || other.into_iter().flat_map(|manner| searches(search, manner)).collect())
