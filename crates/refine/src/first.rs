@@ -19,6 +19,7 @@ pub fn judge_first(
     if judgement.rates.rollouts() > 0 {
         search.setting.session.tell(Event::Evaluated { rate });
     }
+    // Of several references, the best is what refinement begins with.
     if rate >= search.found.before.overall() {
         search.found.before = judgement.rates.clone();
     }

@@ -38,7 +38,8 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
     Ok(())
 }
 
-/// Evaluates simple motions, and refines the best of them unless it is good enough. False where there is none.
+/// Evaluates simple motions, and refines the best of them unless it is good enough. False
+/// without simple motions or time.
 fn refine_unsolved(search: &mut Search, plan: &Plan, solving: Duration) -> Result<bool, PlannerError> {
     let Some(simple) = judge_simple(search, &plan.iterations, search.schedule.own())? else { return Ok(false) };
     refine_first(search, simple, solving)?;

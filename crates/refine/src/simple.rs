@@ -21,7 +21,7 @@ struct Manner {
 }
 
 const USUAL: Manner = Manner { is_mirrored: false, lag: 4.0 };
-/// Friction may hold the body back by so many pitches where it is pressed lightly.
+/// The lag of a search that presses a quarter as hard as the usual one.
 const LIGHT: f64 = 1.0;
 
 /// A motion and where it is from.
