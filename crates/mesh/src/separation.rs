@@ -87,11 +87,24 @@ impl Separation {
     /// (m) that is looked at. Surfaces that penetrate each other already are moved until they do so deeper.
     pub fn travel(&self, direction: &[f64; 3], longest: f64) -> Option<f64> {
         let direction = Vector::from(*direction);
-        let deepest = TOUCHING * longest - self.apart.min(0.0);
+        let deepest = self.deepest(longest);
         let [moved, fixed] = &self.sides;
         let travel = fixed.travel(moved, &direction, longest, deepest);
         let travel = moved.travel(fixed, &-direction, travel.unwrap_or(longest), deepest).or(travel);
         travel.map(|travel| travel.max(self.apart))
+    }
+
+    /// Whether the surface meets nothing when it is moved along a unit vector as far as this (m).
+    pub fn is_free(&self, direction: &[f64; 3], longest: f64) -> bool {
+        let direction = Vector::from(*direction);
+        let deepest = self.deepest(longest);
+        let [moved, fixed] = &self.sides;
+        !fixed.is_met(moved, &direction, longest, deepest) && !moved.is_met(fixed, &-direction, longest, deepest)
+    }
+
+    /// How deep surfaces penetrate without meeting (m), of a travel that is looked at (m).
+    fn deepest(&self, longest: f64) -> f64 {
+        TOUCHING * longest - self.apart.min(0.0)
     }
 }
 
@@ -120,23 +133,32 @@ impl Side {
     /// How far points of another surface are moved along a unit vector until one of them is deeper in this surface than a
     /// limit (m), if one is within the longest travel (m).
     fn travel(&self, other: &Self, direction: &Vector, longest: f64, limit: f64) -> Option<f64> {
-        let [low, high] = &self.bounds;
-        let aside = Vector::from(ASIDE) * (high - low).amax();
         let mut shortest = None;
         for point in &other.points {
-            let crossings = self.body.crossings(&(point + aside), direction);
-            for (enters, leaves) in inside(&crossings) {
-                // Nowhere is the point deeper than it is away from where it enters and leaves.
-                let most = shortest.unwrap_or(longest);
-                let (first, last) = ((enters + limit).max(0.0), (leaves - limit).min(most));
-                let step = (STEP * longest).min((last - first) / LEAST_STEPS);
-                let Some(deep) = self.deeper(point, direction, (first, last), limit, step) else { continue };
-                // A point that comes from outside has met the surface where it enters it.
-                shortest = Some(if enters > 0.0 { enters } else { deep });
-                break;
-            }
+            shortest = self.meets(point, direction, shortest.unwrap_or(longest), limit).or(shortest);
         }
         shortest
+    }
+
+    /// Whether any of them is.
+    fn is_met(&self, other: &Self, direction: &Vector, longest: f64, limit: f64) -> bool {
+        other.points.iter().any(|point| self.meets(point, direction, longest, limit).is_some())
+    }
+
+    /// How far a point is moved along a unit vector until it meets the surface, in which it is deeper than a limit (m) then or
+    /// further on, if that is within the longest travel (m).
+    fn meets(&self, point: &Vector, direction: &Vector, longest: f64, limit: f64) -> Option<f64> {
+        let [low, high] = &self.bounds;
+        let aside = Vector::from(ASIDE) * (high - low).amax();
+        let crossings = self.body.crossings(&(point + aside), direction);
+        inside(&crossings).find_map(|(enters, leaves)| {
+            // Nowhere is the point deeper than it is away from where it enters and leaves.
+            let (first, last) = ((enters + limit).max(0.0), (leaves - limit).min(longest));
+            let step = (STEP * longest).min((last - first) / LEAST_STEPS);
+            let deep = self.deeper(point, direction, (first, last), limit, step)?;
+            // A point that comes from outside has met the surface where it enters it.
+            Some(if enters > 0.0 { enters } else { deep })
+        })
     }
 
     /// Where on its way along a direction between two coordinates (m) a point is first deeper than a limit (m).

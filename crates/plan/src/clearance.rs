@@ -1,14 +1,19 @@
 //! Clearance of a body that moves without rotation.
 
+use collision::Solutions;
 use nalgebra::Vector3;
 use task::{AssemblyTask, ContactPair, Pose};
 
 /// Rounding of exact distances (m).
 const ROUNDING: f64 = 1e-9;
-/// Shortest step along a direction, as a share of the travel that is looked at.
-const STEP: f64 = 1e-3;
-/// Rounding of penetrations, in the same measure.
+/// Penetration that is rounding, as a share of the travel that is looked at.
 const TOUCHING: f64 = 1e-4;
+/// A body that is no farther than this share of that penetration from a limit has reached it.
+const REACHED: f64 = 1e-2;
+/// Newton steps along a direction after which a pair counts as touched.
+const STEPS: usize = 50;
+/// Smoothings (m) of distances with normals; the next where one fails.
+const TAUS: [f64; 3] = [1e-11, 1e-9, 1e-7];
 
 /// Clearance between the environment and the body, oriented as at its goal. A distance changes by no more than the body
 /// moves, so that pairs far from each other are rarely computed: of hundreds of pairs, only the near ones cost time.
@@ -79,20 +84,115 @@ impl<'task> Clearance<'task> {
     /// How far the body moves from a position along a unit vector until it touches something (m), if it does within the
     /// longest travel that is looked at. A body that penetrates something already moves until it penetrates deeper.
     pub fn travel(&mut self, from: &Vector3<f64>, direction: &Vector3<f64>, longest: f64) -> Option<f64> {
+        self.travels(from, &[*direction], longest)[0]
+    }
+
+    /// The same along several directions, which takes less time together.
+    pub fn travels(&mut self, from: &Vector3<f64>, directions: &[Vector3<f64>], longest: f64) -> Vec<Option<f64>> {
         if longest == 0.0 {
-            return None;
+            return vec![None; directions.len()];
         }
-        let (mut travelled, mut clearance) = (0.0, self.at(from));
-        let floor = clearance.min(0.0) - TOUCHING * longest;
-        while travelled <= longest {
-            let next = travelled + clearance.max(STEP * longest);
-            let there = self.at(&(from + direction * next));
-            if there < floor {
-                return Some(travelled + clearance.max(0.0));
+        let touching = self.at(from).min(0.0);
+        let mut rays: Vec<Ray> = directions
+            .iter()
+            .map(|direction| Ray { from: *from, direction: *direction, longest, touched: None })
+            .collect();
+        let apart = |pair: &Known| (pair.boxes[0] + from).sup(&(pair.boxes[1] - from)).max();
+        let mut order: Vec<(f64, usize)> = self.pairs.iter().map(apart).zip(0..).collect();
+        order.sort_by(|one, other| one.0.total_cmp(&other.0));
+        for (_, index) in order {
+            self.touch(index, &mut rays, touching, TOUCHING * longest);
+        }
+        rays.into_iter().map(|ray| ray.touched).collect()
+    }
+
+    /// Shortens travels to where a pair is closer than when it touches by more than a tolerance (m). Its distance is a convex
+    /// function of the travel: Newton's method never passes that place, and a pair from which the body moves away is done.
+    fn touch(&self, index: usize, rays: &mut [Ray], touching: f64, tolerance: f64) {
+        let floor = touching - tolerance;
+        let enters = |ray: &Ray| ray.enters(&self.pairs[index].boxes);
+        let mut waiting: Vec<(usize, f64)> =
+            rays.iter().enumerate().filter_map(|(ray, own)| Some((ray, enters(own)?))).collect();
+        for step in 0..STEPS {
+            let positions: Vec<Vector3<f64>> =
+                waiting.iter().map(|(ray, travelled)| rays[*ray].from + rays[*ray].direction * *travelled).collect();
+            let distances = self.distances(index, &positions);
+            waiting = waiting
+                .into_iter()
+                .zip(distances)
+                .filter_map(|((index, travelled), (distance, normal))| {
+                    let ray = &mut rays[index];
+                    let rate = normal.dot(&ray.direction);
+                    if !distance.is_finite() || step + 1 == STEPS {
+                        ray.touch(travelled);
+                        return None;
+                    }
+                    if distance - floor <= REACHED * tolerance {
+                        // Where it has begun to touch, if the distance falls like this since.
+                        ray.touch(
+                            (travelled - (touching - distance).max(0.0) / -rate.min(-f64::MIN_POSITIVE)).max(0.0),
+                        );
+                        return None;
+                    }
+                    let next = travelled + (distance - floor) / -rate;
+                    (rate < 0.0 && next <= ray.longest).then_some((index, next))
+                })
+                .collect();
+            if waiting.is_empty() {
+                return;
             }
-            (travelled, clearance) = (next, there);
         }
-        None
+    }
+
+    /// Distances (m) of a pair at some positions of the body, and their derivatives by the position; NaN where they cannot be
+    /// computed.
+    fn distances(&self, index: usize, positions: &[Vector3<f64>]) -> Vec<(f64, Vector3<f64>)> {
+        let quaternion = self.task.goal.quaternion();
+        let poses: Vec<[f64; 7]> =
+            positions.iter().map(|position| Pose::new((*position).into(), quaternion).0).collect();
+        let mut contacts = vec![[f64::NAN; 7]; poses.len()];
+        let pair = &self.task.pairs[index].shapes;
+        let is_found =
+            TAUS.iter().any(|&tau| pair.contacts(&poses, tau, &mut Solutions::default(), &mut contacts).is_ok());
+        let found =
+            |[distance, x, y, z, ..]: [f64; 7]| (if is_found { distance } else { f64::NAN }, Vector3::new(x, y, z));
+        contacts.into_iter().map(found).collect()
+    }
+}
+
+/// A body that moves along a direction.
+struct Ray {
+    from: Vector3<f64>,
+    direction: Vector3<f64>,
+    /// Travel that is looked at (m): no farther than where it touches something.
+    longest: f64,
+    touched: Option<f64>,
+}
+
+impl Ray {
+    fn touch(&mut self, travelled: f64) {
+        if travelled <= self.longest {
+            (self.longest, self.touched) = (travelled, Some(travelled));
+        }
+    }
+
+    /// The travel (m) at which the boxes of a pair come together, if they do.
+    fn enters(&self, [low, high]: &[Vector3<f64>; 2]) -> Option<f64> {
+        let (mut first, mut last) = (0.0f64, self.longest);
+        let sides = (0..3).flat_map(|axis| [(low[axis], axis, 1.0), (high[axis], axis, -1.0)]);
+        for (apart, axis, sign) in sides {
+            let (apart, rate) = (apart + sign * self.from[axis], sign * self.direction[axis]);
+            if rate == 0.0 && apart > 0.0 {
+                return None;
+            }
+            let meets = -apart / rate;
+            if rate < 0.0 {
+                first = first.max(meets);
+            } else if rate > 0.0 {
+                last = last.min(meets);
+            }
+        }
+        (first <= last).then_some(first)
     }
 }
 

@@ -111,8 +111,8 @@ impl Search<'_> {
         let first = out.cross(&Vector3::ith(out.iamin(), 1.0)).normalize();
         let turned = |angle: f64| first * angle.cos() + out.cross(&first) * angle.sin();
         let goal = self.goal;
-        let around: Vec<Travels> =
-            (0..AXES).map(|index| self.travels(&goal, &turned(PI * index as f64 / AXES as f64))).collect();
+        let axes: Vec<Vector3<f64>> = (0..AXES).map(|index| turned(PI * index as f64 / AXES as f64)).collect();
+        let around = self.travels(&goal, &axes);
         let tightest = around
             .iter()
             .copied()
@@ -120,7 +120,7 @@ impl Search<'_> {
             .unwrap_or(around[0]);
         let across = self.widest_near(&out.cross(&tightest.axis), &out, &tightest);
         // Where one direction is free, the guided one is across it.
-        let tightest = if across.is_free() { self.travels(&goal, &across.axis.cross(&out)) } else { tightest };
+        let tightest = if across.is_free() { self.along(&goal, &across.axis.cross(&out)) } else { tightest };
         let axes = [tightest, across];
         let guided: Vec<Vector3<f64>> =
             axes.iter().filter(|travels| travels.clearance().is_finite()).map(|travels| travels.axis).collect();
@@ -134,7 +134,7 @@ impl Search<'_> {
         let length = path.dot(&out);
         let depth_m = (!guided.is_empty()).then(|| {
             self.last(&out, length, |search, from| {
-                guided.iter().all(|axis| search.travels(from, axis).clearance().is_finite())
+                search.travels(from, &guided).iter().all(|travels| travels.clearance().is_finite())
             })
         });
         let entrance = self.entrance(&out, length, &guided);
@@ -143,7 +143,7 @@ impl Search<'_> {
 
     fn entrance(&mut self, out: &Vector3<f64>, length: f64, guided: &[Vector3<f64>]) -> Option<Entrance> {
         let tightest = |search: &mut Self, from: &Vector3<f64>| {
-            guided.iter().map(|axis| search.travels(from, axis).clearance()).fold(f64::INFINITY, f64::min)
+            search.travels(from, guided).iter().map(Travels::clearance).fold(f64::INFINITY, f64::min)
         };
         let catches = |clearance: f64, offset: f64| clearance < 2.0 * offset;
         let (goal, offset) = (self.goal, self.offset);
@@ -166,10 +166,15 @@ impl Search<'_> {
         Some(std::iter::once(straight).chain(axes).find(leads_out).unwrap_or(straight))
     }
 
-    fn travels(&mut self, from: &Vector3<f64>, axis: &Vector3<f64>) -> Travels {
-        let longest = self.longest;
-        let mut along = |direction: Vector3<f64>| self.clearance.travel(from, &direction, longest);
-        Travels { axis: *axis, backward: along(-axis), forward: along(*axis) }
+    fn travels(&mut self, from: &Vector3<f64>, axes: &[Vector3<f64>]) -> Vec<Travels> {
+        let directions: Vec<Vector3<f64>> = axes.iter().flat_map(|axis| [-axis, *axis]).collect();
+        let travels = self.clearance.travels(from, &directions, self.longest);
+        let both = axes.iter().zip(travels.chunks_exact(2));
+        both.map(|(axis, travels)| Travels { axis: *axis, backward: travels[0], forward: travels[1] }).collect()
+    }
+
+    fn along(&mut self, from: &Vector3<f64>, axis: &Vector3<f64>) -> Travels {
+        self.travels(from, std::slice::from_ref(axis))[0]
     }
 
     /// Travel at the goal along the axis of largest clearance near one across the tightest: a rail need not lie along
@@ -177,7 +182,7 @@ impl Search<'_> {
     fn widest_near(&mut self, axis: &Vector3<f64>, out: &Vector3<f64>, tightest: &Travels) -> Travels {
         let goal = self.goal;
         let turned = |angle: f64| axis * angle.cos() + out.cross(axis) * angle.sin();
-        let mut widest = self.travels(&goal, axis);
+        let mut widest = self.along(&goal, axis);
         let (mut middle, mut angle) = (0.0, 0.5 * PI / AXES as f64);
         for _ in 0..TURNS {
             if widest.is_free() || !(widest.clearance() > MUCH_WIDER * tightest.clearance()) {
@@ -185,7 +190,7 @@ impl Search<'_> {
             }
             angle *= 0.5;
             for sign in [-1.0, 1.0] {
-                let other = self.travels(&goal, &turned(middle + sign * angle));
+                let other = self.along(&goal, &turned(middle + sign * angle));
                 if other.is_free() || other.clearance() > widest.clearance() {
                     (widest, middle) = (other, middle + sign * angle);
                     break;

@@ -118,7 +118,7 @@ fn fit(
     let [body, environment] = [&parts.body, &parts.environment].map(|part| part.bounds());
     let height = |axis: Axis| body.edges()[axis.index];
     let apart = |axis: Axis| body.distance_apart(&environment, axis).max(height(axis)) + BEYOND;
-    let free = Axis::ALL.map(|axis| separation.travel(&axis.times(1.0), apart(axis)).is_none());
+    let free = Axis::ALL.map(|axis| separation.is_free(&axis.times(1.0), apart(axis)));
     let is_free = |axis: &Axis| Axis::ALL.iter().zip(free).any(|(other, is_free)| other == axis && is_free);
     // A body that is put in ends at a stop: it can be moved no farther.
     let ways: Vec<Axis> = Axis::ALL.into_iter().filter(is_free).collect();
