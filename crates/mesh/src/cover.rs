@@ -147,7 +147,7 @@ impl Cover {
             return Err(MeshError::too_many_pieces(solid));
         }
         let hulls = touched.join(hulls);
-        let cells: Vec<Cell> = hulls.iter().map(|hull| touched.trim(hull, &root)).collect();
+        let cells = touched.trim_all(&hulls, &root);
         let mut cover = Self {
             pieces: Vec::new(),
             surfaces: Vec::new(),

@@ -1,5 +1,7 @@
 //! Inside and outside of surfaces that cross themselves or do not quite close.
 
+use workers::Workers;
+
 use crate::body::Body;
 use crate::edges::{components, edges};
 use crate::error::MeshError;
@@ -19,6 +21,8 @@ const CRACK: f64 = 2e-4;
 const UNDECIDED: f64 = 0.25;
 /// Triangles are asked in the middle, and this far towards their corners.
 const NEARLY: f64 = 0.98;
+/// Triangles that one thread asks together.
+const CHUNK: usize = 200;
 /// Share of the surface that may be folded over.
 const REVERSED: f64 = 1e-2;
 /// Surfaces with more shells of negative volume are refused.
@@ -50,32 +54,20 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
     if open.len() > MOST_OPEN || open.iter().any(|edge| is_undecided(edge, &triangles, &vertices, &body, crack)) {
         return Err(reason);
     }
+    let facing = |triangle: &[usize; 3]| Facing::of(&corners(triangle), &body, NEAR * tolerance);
+    let chunks =
+        Workers::of_all_processors().map(triangles.chunks(CHUNK), |own| own.iter().map(facing).collect::<Vec<_>>());
     let (mut reversed, mut sound) = (0.0, 0.0);
     let (mut hidden, mut kept) = (0, Vec::with_capacity(triangles.len()));
-    for triangle in triangles {
-        let corners = corners(&triangle);
-        let Some(normal) = area_vector(&corners).try_normalize(0.0) else { continue };
-        let middle = mean(&corners);
-        let [behind, before] = [-1.0, 1.0].map(|side| body.contains(&(middle + normal * (side * NEAR * tolerance))));
-        match (behind, before) {
-            (false, true) => {
-                reversed += area_vector(&corners).norm();
-                kept.push(triangle);
-            }
-            (true, false) => {
-                sound += area_vector(&corners).norm();
-                kept.push(triangle);
-            }
-            // Part of it may be outside: triangles that cross others stay.
-            _ if corners.iter().any(|corner| {
-                let point = middle + NEARLY * (corner - middle);
-                let side = |side: f64| body.contains(&(point + normal * (side * NEAR * tolerance)));
-                side(-1.0) != side(1.0)
-            }) =>
-            {
-                kept.push(triangle)
-            }
-            _ => hidden += 1,
+    for (triangle, facing) in triangles.into_iter().zip(chunks.concat()) {
+        match facing {
+            Facing::Outward => sound += area_vector(&corners(&triangle)).norm(),
+            Facing::Inward => reversed += area_vector(&corners(&triangle)).norm(),
+            Facing::Hidden => hidden += 1,
+            Facing::Crossing | Facing::Flat => {}
+        }
+        if matches!(facing, Facing::Outward | Facing::Inward | Facing::Crossing) {
+            kept.push(triangle);
         }
     }
     if kept.is_empty() || reversed > REVERSED * sound {
@@ -92,6 +84,38 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
         hidden,
     });
     Ok(Surface { vertices, triangles: kept, repairs })
+}
+
+/// What is on both sides of a triangle.
+#[derive(Debug, Clone, Copy)]
+enum Facing {
+    /// The inside behind it, the outside in front of it.
+    Outward,
+    /// The other way around.
+    Inward,
+    /// The same in its middle, but not everywhere: part of it may be outside.
+    Crossing,
+    /// The same.
+    Hidden,
+    /// It has no area.
+    Flat,
+}
+
+impl Facing {
+    /// Of a triangle, asked at a distance (m) from it.
+    fn of(corners: &[Vector; 3], body: &Body, near: f64) -> Self {
+        let Some(normal) = area_vector(corners).try_normalize(0.0) else { return Self::Flat };
+        let middle = mean(corners);
+        let sides = |point: &Vector| [-1.0, 1.0].map(|side| body.contains(&(point + normal * (side * near))));
+        match sides(&middle) {
+            [true, false] => Self::Outward,
+            [false, true] => Self::Inward,
+            _ => {
+                let mut nearly = corners.iter().map(|corner| sides(&(middle + NEARLY * (corner - middle))));
+                if nearly.any(|[behind, before]| behind != before) { Self::Crossing } else { Self::Hidden }
+            }
+        }
+    }
 }
 
 /// Edges that do not have as many triangles on the one side as on the other, each with one of its triangles.

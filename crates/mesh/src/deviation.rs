@@ -57,7 +57,7 @@ impl Deviation {
             outside_volume: 0.0,
             volume_error: 0.0,
         };
-        let workers = Workers::new(std::thread::available_parallelism().map_or(1, Into::into));
+        let workers = Workers::of_all_processors();
         let from_mesh = |points: &[(Vector, Vector)]| {
             let mut most = (0.0_f64, 0.0_f64);
             for (point, normal) in points {

@@ -1,17 +1,21 @@
 //! How far a surface can be moved past another one.
 
 use std::collections::{HashSet, VecDeque};
+use std::ops::ControlFlow;
 
 use nalgebra::{Isometry3, Translation3};
+use workers::Workers;
 
 use crate::body::Body;
 use crate::gap::Gauge;
-use crate::geometry::{Vector, bounds, mean};
+use crate::geometry::{Vector, bounds, boxes_meet, mean};
 
 /// Points of a surface at which depths are looked for are no farther apart than this share of its size, unless that makes
 /// too many.
 const SPACING: f64 = 0.02;
 const MOST_POINTS: usize = 2000;
+/// Points that one thread moves together.
+const CHUNK: usize = 50;
 /// Depth (m) that is rounding.
 const ROUNDING: f64 = 1e-9;
 /// Longest step of a point inside of the other surface, as a share of the travel that is looked at.
@@ -29,6 +33,7 @@ pub struct Separation {
     sides: [Side; 2],
     /// How far apart they are before.
     apart: f64,
+    workers: Workers,
 }
 
 /// How deep two surfaces penetrate each other.
@@ -52,7 +57,7 @@ impl Separation {
     /// Of triangles (m), anticlockwise seen from outside.
     pub fn new(moved: &[[[f64; 3]; 3]], fixed: &[[[f64; 3]; 3]]) -> Self {
         let (gauges, sides) = ([moved, fixed].map(Gauge::new), [moved, fixed].map(Side::new));
-        let mut separation = Self { gauges, sides, apart: 0.0 };
+        let mut separation = Self { gauges, sides, apart: 0.0, workers: Workers::of_all_processors() };
         separation.apart = separation.at(&[0.0; 3]);
         separation
     }
@@ -99,7 +104,16 @@ impl Separation {
         let direction = Vector::from(*direction);
         let deepest = self.deepest(longest);
         let [moved, fixed] = &self.sides;
-        !fixed.is_met(moved, &direction, longest, deepest) && !moved.is_met(fixed, &-direction, longest, deepest)
+        let is_met = |side: &Side, other: &Side, direction: &Vector| {
+            let mut is_met = false;
+            let meet = |points: &[Vector]| points.iter().any(|p| side.meets(p, direction, longest, deepest).is_some());
+            self.workers.in_order(other.points.chunks(CHUNK), meet, |found| {
+                is_met = found;
+                if found { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            is_met
+        };
+        !is_met(fixed, moved, &direction) && !is_met(moved, fixed, &-direction)
     }
 
     /// How deep surfaces penetrate without meeting (m), of a travel that is looked at (m).
@@ -140,15 +154,14 @@ impl Side {
         shortest
     }
 
-    /// Whether any of them is.
-    fn is_met(&self, other: &Self, direction: &Vector, longest: f64, limit: f64) -> bool {
-        other.points.iter().any(|point| self.meets(point, direction, longest, limit).is_some())
-    }
-
     /// How far a point is moved along a unit vector until it meets the surface, in which it is deeper than a limit (m) then or
     /// further on, if that is within the longest travel (m).
     fn meets(&self, point: &Vector, direction: &Vector, longest: f64, limit: f64) -> Option<f64> {
         let [low, high] = &self.bounds;
+        let end = point + direction * longest;
+        if !boxes_meet(&[point.inf(&end), point.sup(&end)], &self.bounds, 0.0) {
+            return None;
+        }
         let aside = Vector::from(ASIDE) * (high - low).amax();
         let crossings = self.body.crossings(&(point + aside), direction);
         inside(&crossings).find_map(|(enters, leaves)| {

@@ -6,6 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use rustc_hash::FxHashSet;
+use workers::Workers;
 
 use crate::body::Body;
 use crate::bvh::BoxTree;
@@ -37,6 +38,8 @@ const MOVED: f64 = 0.4;
 const BAND: f64 = 0.1;
 const ALIKE: f64 = 0.98;
 
+/// Places that one thread looks at together.
+const CHUNK: usize = 1000;
 /// Places that were in the way of joined hulls, asked first.
 const RECENT: usize = 64;
 
@@ -54,6 +57,7 @@ pub struct Touched<'a> {
     plane_of: Vec<Option<usize>>,
     /// Triangles that have a corner with each triangle in common.
     neighbors: Vec<Vec<usize>>,
+    workers: Workers,
     /// Distance below which points are the same (m).
     pub tolerance: f64,
 }
@@ -89,7 +93,8 @@ impl<'a> Touched<'a> {
         }
         let around = |corners: &[usize; 3]| corners.iter().flat_map(|&corner| &at_corner[corner]).copied().collect();
         let neighbors = solid.triangles.iter().map(around).collect();
-        Self { body, places, around_places, planes, plane_of, neighbors, tolerance: solid.tolerance }
+        let (workers, tolerance) = (Workers::of_all_processors(), solid.tolerance);
+        Self { body, places, around_places, planes, plane_of, neighbors, workers, tolerance }
     }
 
     /// Convex hulls that contain the part and keep their distance from all places; `None` when that takes too long.
@@ -106,7 +111,7 @@ impl<'a> Touched<'a> {
                 return None;
             }
             let Some(hull) = self.hull(&node) else { continue };
-            let close = self.close(&hull, node.places.iter().copied(), CUTTING);
+            let close = self.close(&hull, &node.places);
             if close.is_empty() {
                 hulls.push(hull);
                 continue;
@@ -160,9 +165,12 @@ impl<'a> Touched<'a> {
         is_thick.then_some(hull)
     }
 
-    /// Places that a hull comes too close to when it may take a share of what is allowed.
-    fn close(&self, hull: &Hull, among: impl Iterator<Item = usize>, share: f64) -> Vec<usize> {
-        among.filter(|&place| !hull.is_beyond(&self.places[place].point, self.places[place].within(share))).collect()
+    /// Places that the hull of a cell comes too close to.
+    fn close(&self, hull: &Hull, among: &[usize]) -> Vec<usize> {
+        let is_close = |place: &Place| !hull.is_beyond(&place.point, place.within(CUTTING));
+        let close =
+            |among: &[usize]| among.iter().copied().filter(|&place| is_close(&self.places[place])).collect::<Vec<_>>();
+        self.workers.map(among.chunks(CHUNK), close).concat()
     }
 
     /// The plane that separates most places from the part and cuts little of it.
@@ -296,9 +304,14 @@ impl<'a> Touched<'a> {
         })
     }
 
+    /// The cells around hulls.
+    pub fn trim_all(&self, hulls: &[Hull], root: &Cell) -> Vec<Cell> {
+        self.workers.map(hulls.iter(), |hull| self.trim(hull, root))
+    }
+
     /// A cell around a hull with few halfspaces that keeps its distance from all places, or from most of them where that takes
     /// too many; the comparison of gaps with the meshes shows what that costs.
-    pub fn trim(&self, hull: &Hull, root: &Cell) -> Cell {
+    fn trim(&self, hull: &Hull, root: &Cell) -> Cell {
         let facets = hull.facets(2.0 * self.tolerance);
         let mut cell = root.clone();
         let mut id = 1000;

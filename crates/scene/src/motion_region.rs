@@ -103,7 +103,7 @@ impl Motions {
         let [low, high] = &mut extent;
         low.iter_mut().for_each(|coordinate| *coordinate -= self.surroundings);
         high.iter_mut().for_each(|coordinate| *coordinate += self.surroundings);
-        let workers = Workers::new(std::thread::available_parallelism().map_or(1, Into::into));
+        let workers = Workers::of_all_processors();
         MotionRegion { extent, places: workers.map(parts.iter(), |part| self.swept(part)) }
     }
 

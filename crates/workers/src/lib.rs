@@ -28,6 +28,11 @@ impl Workers {
         Self { helpers: if helpers == 0 { None } else { build().ok().map(Arc::new) } }
     }
 
+    /// As many threads as there are processors.
+    pub fn of_all_processors() -> Self {
+        Self::new(std::thread::available_parallelism().map_or(1, Into::into))
+    }
+
     /// Number of threads.
     pub fn threads(&self) -> usize {
         1 + self.helpers.as_ref().map_or(0, |helpers| helpers.current_num_threads())
