@@ -55,7 +55,9 @@ impl Scene {
             Some(title) => title.name()?,
             None => title_of(file),
         };
-        let (body, environment) = (given_parts(&body_table)?, given_parts(&table.require_table("environment")?)?);
+        let environment_table = table.require_table("environment")?;
+        let (body, environment) = workers::both(|| given_parts(&body_table), || given_parts(&environment_table));
+        let (body, environment) = (body?, environment?);
         let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
         let goal = pose(&goal_table)?;
         let ends = Endpoints { starts: &starts, goal: &goal };

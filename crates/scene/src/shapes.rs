@@ -1,7 +1,5 @@
 //! From parts as the scene gives them to convex parts.
 
-use std::panic::resume_unwind;
-
 use collision::Polytope;
 use mesh::CoverSettings;
 use nalgebra::{Isometry3, Vector3};
@@ -162,10 +160,7 @@ fn touching_shapes(
             })
         }
     };
-    let (body, environment) = std::thread::scope(|scope| {
-        let environment = scope.spawn(|| convex(environment, cover(false)));
-        (convex(body, cover(true)), environment.join().unwrap_or_else(|panic| resume_unwind(panic)))
-    });
+    let (body, environment) = workers::both(|| convex(body, cover(true)), || convex(environment, cover(false)));
     let ((body, body_meshes), (environment, environment_meshes)) = (body?, environment?);
     let points: Vec<Vec<[f64; 3]>> = body.iter().map(|part| part.shape.vertices().to_vec()).collect();
     let region = (!environment_meshes.is_empty()).then(|| motions.region(&points));

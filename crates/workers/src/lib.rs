@@ -5,6 +5,7 @@
 //! determined; the boundaries of pieces must not depend on the number of threads.
 
 use std::ops::ControlFlow;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -89,6 +90,17 @@ impl Workers {
             }
         });
     }
+}
+
+/// Results of two pieces of work that are done at the same time.
+///
+/// # Panics
+/// When one of both does.
+pub fn both<A, B: Send>(one: impl FnOnce() -> A, other: impl FnOnce() -> B + Send) -> (A, B) {
+    std::thread::scope(|scope| {
+        let other = scope.spawn(other);
+        (one(), other.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    })
 }
 
 /// Pieces of work that wait and their results.

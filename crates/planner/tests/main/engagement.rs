@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use nalgebra::Vector3;
+use plan::clearance::Clearance;
 use planner::warnings::of_problem;
 use planner::{Choices, Engagement, Problem};
 use scene::{Scene, Source};
+use task::Pose;
 
 /// A body of 20 x 20 x 10 mm whose goal has its lower face at some height (m), and walls (name, box, position), with offsets
 /// of 1 mm in three directions.
@@ -172,4 +175,47 @@ fn a_path_that_leads_through_a_wall_is_no_insertion_axis() {
 fn overlaps_that_are_allowed_follow_the_clearance() {
     is_near(problem(&text(-0.0018, 0.0, &socket(4e-4))).allowed_penetration(), 2e-4, 1e-9);
     is_near(problem(&text(-0.0018, 0.0, &socket(2e-5))).allowed_penetration(), 5e-5, 1e-12);
+}
+
+#[test]
+fn travels_end_where_a_pair_first_penetrates() {
+    let socket = problem(&text(-0.005, 0.0, &socket(3e-4)));
+    // A lid above the body on one side, turned.
+    let roof = text(-0.005, 0.3, &[("lid", [0.02, 0.004, 0.004], [0.003, 0.001, 0.009])]);
+    let mut touched = Vec::new();
+    for problem in [socket, self::problem(&roof)] {
+        let task = problem.task();
+        let mut clearance = Clearance::new(task);
+        let (goal, longest) = (task.goal.position(), 0.02);
+        let directions: Vec<Vector3<f64>> = (0..40)
+            .map(|index| {
+                let (turn, height) = (2.4 * f64::from(index), (f64::from(index) - 19.5) / 20.0);
+                Vector3::new(turn.cos(), turn.sin(), 0.0) * (1.0 - height * height).sqrt() + Vector3::z() * height
+            })
+            .collect();
+        let touching = clearance.at(&goal).min(0.0);
+        let travels = clearance.travels(&goal, &directions, longest);
+        for (direction, travel) in directions.iter().zip(&travels) {
+            let at = |distance: f64| {
+                task.clearance(&Pose::new((goal + direction * distance).into(), task.goal.quaternion()))
+            };
+            let floor = touching - 1.01e-4 * longest;
+            let free = travel.unwrap_or(longest);
+            let deepest = |from: f64, to: f64| {
+                let steps = (0..=400).map(|step| at(from + (to - from) * f64::from(step) / 400.0));
+                steps.fold(f64::INFINITY, f64::min)
+            };
+            assert!(deepest(0.0, free) >= floor, "{direction}: deeper before {free}");
+            if let Some(travel) = travel {
+                assert!((at(*travel) - touching).abs() <= 1.5e-4 * longest, "{direction}: {} at {travel}", at(*travel));
+                assert!(
+                    deepest(*travel, travel + 1e-3) < touching - 0.9e-4 * longest,
+                    "{direction}: free after {travel}"
+                );
+            }
+        }
+        touched.push(travels.iter().flatten().count());
+    }
+    assert_eq!(touched[0], 40, "there are walls all around");
+    assert!((1..20).contains(&touched[1]), "the lid is on one side: {touched:?}");
 }

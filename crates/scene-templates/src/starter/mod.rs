@@ -5,7 +5,6 @@ mod file_part;
 mod relative;
 
 use std::fmt;
-use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 
 use scene::SceneError;
@@ -213,11 +212,8 @@ impl FilePair {
     /// When a file cannot be read, a mesh has no unit or an unusual size, or a model has several links and none is named.
     pub fn read(&self) -> Result<PartPair, SceneError> {
         let read = |file: &Path, link: &Option<String>| FilePart::read(file, link.as_deref(), self.unit.as_deref());
-        let (body, environment) = std::thread::scope(|scope| {
-            let environment = scope.spawn(|| read(&self.environment, &self.environment_link));
-            let body = read(&self.body, &self.body_link);
-            (body, environment.join().unwrap_or_else(|panic| resume_unwind(panic)))
-        });
+        let (body, environment) =
+            workers::both(|| read(&self.body, &self.body_link), || read(&self.environment, &self.environment_link));
         Ok(PartPair { body: body?, environment: environment? })
     }
 }
