@@ -92,12 +92,12 @@ impl Patch {
 
     /// Keeps the region where `height` is not positive (Sutherland and Hodgman).
     fn clip(&mut self, height: impl Fn(&Vector3<f64>) -> f64) {
-        let mut highest = f64::NEG_INFINITY;
+        let mut is_cut = false;
         for (point, above) in &mut self.points {
             *above = height(point);
-            highest = highest.max(*above);
+            is_cut |= *above > 0.0;
         }
-        if highest <= 0.0 {
+        if !is_cut {
             return;
         }
         self.clipped.clear();
