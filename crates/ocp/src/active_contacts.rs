@@ -11,8 +11,8 @@ use task::{AssemblyTask, Pose, Scenario, Trajectory, pose};
 
 /// Pairs that come nearer than this fraction of the size of the largest part of the body may touch.
 const NEAR: f64 = 0.0125;
-/// They have contacts where they are nearer than this multiple of that distance: motions shift from one homotopy step to the
-/// next, and contacts that were missing are found by solving again.
+/// They have contacts where they are nearer than this multiple of that distance to the motion of the step before: motions shift
+/// from one homotopy step to the next, and contacts that were missing are found by solving again.
 const AROUND: f64 = 8.0;
 /// Up to this number of pairs, a pair that comes near at all has contacts in all steps: as the motion shifts, contacts
 /// come and go between homotopy steps, and few pairs save less than the repeated solves cost.
@@ -52,28 +52,29 @@ impl ActiveContacts {
         let motions: Vec<Vec<Pose>> = task.scenarios().into_iter().map(motion).collect();
         // The body may deviate from its path as far as it is off in the gripper.
         let deviation = task.offsets().into_iter().map(|offset| task::algebra::norm(&offset)).fold(0.0, f64::max);
-        Self::around(task, &motions, deviation, steps / FIRST_STEPS_AROUND)
+        let near = reach(task) + deviation;
+        Self::around(task, &motions, [near, near], steps / FIRST_STEPS_AROUND)
     }
 
     /// Those near a motion, from the poses of every scenario at k = 0..N.
     pub fn near(task: &AssemblyTask, motions: &[Vec<Pose>]) -> Self {
-        Self::around(task, motions, 0.0, STEPS_AROUND)
+        let near = reach(task);
+        Self::around(task, motions, [near, AROUND * near], STEPS_AROUND)
     }
 
-    /// Those near motions from which the body may deviate by a distance (m) and a number of steps. The contact of a stage is
-    /// at the pose before its step.
-    fn around(task: &AssemblyTask, motions: &[Vec<Pose>], deviation: f64, steps_around: usize) -> Self {
+    /// Those of pairs that come nearer in some motions than the first distance (m), where they are nearer than the second or are
+    /// within some steps. The contact of a stage is at the pose before its step.
+    fn around(task: &AssemblyTask, motions: &[Vec<Pose>], [near, nearby]: [f64; 2], steps_around: usize) -> Self {
         let poses = pose::arrays(&motions.concat());
-        let (steps, length, reach) = (task.horizon.steps, task.horizon.steps + 1, reach(task));
+        let (steps, length) = (task.horizon.steps, task.horizon.steps + 1);
         let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distances(&poses));
-        let is_near = |distances: &Vec<f64>| comes_near(distances, reach + deviation);
-        let distances: Vec<_> = distances.map(|distances| is_near(&distances).then_some(distances)).collect();
+        let distances: Vec<_> = distances.map(|distances| comes_near(&distances, near).then_some(distances)).collect();
         Self::from_fn(task, |stage, scenario, pair| {
             let Some(distances) = &distances[pair] else { return false };
             let before = stage - 1;
             let around = before.saturating_sub(steps_around)..=(before + steps_around).min(steps);
             let of_scenario = &distances[scenario * length..][around];
-            task.pairs.len() <= FEW_PAIRS || comes_near(of_scenario, AROUND * reach + deviation)
+            task.pairs.len() <= FEW_PAIRS || comes_near(of_scenario, nearby)
         })
     }
 
