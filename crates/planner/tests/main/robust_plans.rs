@@ -188,13 +188,15 @@ fn any_reference_can_be_refined_without_a_plan() {
 #[test]
 fn status_and_success_never_contradict_each_other() {
     let plans = [1e-5, 5e-4, 2e-3, 1e-2, 0.1].into_iter().flat_map(|position| {
-        let rates = [0.0, 0.5, 1.0].map(|target_rate| RobustnessTarget { target_rate, ..impatient() });
-        let robust = rates.map(|target| refined(position, &target));
+        // On the heap: plans are large for the stack of a test.
+        let rates = [0.0, 0.5, 1.0].into_iter();
+        let targets = rates.map(|target_rate| RobustnessTarget { target_rate, ..impatient() });
+        let robust: Vec<Plan> = targets.map(|target| refined(position, &target)).collect();
         let success = Success { position, ..Success::default() };
         let plain = Plan { problem: corner(success), ..FINE.clone() };
         let cut = Plan { iterations: plain.iterations[..1].to_vec(), ..plain.clone() };
         let interrupted = Plan { stopped: Some(Stop::User), ..plain.clone() };
-        robust.into_iter().chain([plain, cut, interrupted])
+        [robust, vec![plain, cut, interrupted]].concat()
     });
     let (mut done, mut planned, mut missed) = (0, 0, 0);
     for plan in plans {
