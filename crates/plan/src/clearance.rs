@@ -123,15 +123,15 @@ impl<'task> Clearance<'task> {
                 .filter_map(|((index, travelled), (distance, normal))| {
                     let ray = &mut rays[index];
                     let rate = normal.dot(&ray.direction);
-                    if !distance.is_finite() || step + 1 == STEPS {
+                    let is_known = distance.is_finite() && rate.is_finite() && step + 1 < STEPS;
+                    if !is_known {
                         ray.touch(travelled);
                         return None;
                     }
                     if distance - floor <= REACHED * tolerance {
                         // Where it has begun to touch, if the distance falls like this since.
-                        ray.touch(
-                            (travelled - (touching - distance).max(0.0) / -rate.min(-f64::MIN_POSITIVE)).max(0.0),
-                        );
+                        let since = (touching - distance).max(0.0) / rate.abs();
+                        ray.touch((travelled - since).max(0.0));
                         return None;
                     }
                     let next = travelled + (distance - floor) / -rate;
