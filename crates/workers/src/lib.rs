@@ -209,8 +209,8 @@ mod tests {
     #[test]
     fn both_are_done_and_a_panic_of_either_ends_the_call() {
         assert_eq!(both(|| 1, || "two"), (1, "two"));
-        assert!(std::panic::catch_unwind(|| both(|| 1, || panic!("of the other"))).is_err());
-        assert!(std::panic::catch_unwind(|| both(|| panic!("of the one"), || 2)).is_err());
+        assert!(catch_unwind(|| both(|| 1, || -> i32 { panic!("of the other") })).is_err());
+        assert!(catch_unwind(|| both(|| -> i32 { panic!("of the one") }, || 2)).is_err());
     }
 
     #[test]
