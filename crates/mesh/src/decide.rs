@@ -54,21 +54,23 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
     if open.len() > MOST_OPEN || open.iter().any(|edge| is_undecided(edge, &triangles, &vertices, &body, crack)) {
         return Err(reason);
     }
-    let facing = |triangle: &[usize; 3]| Facing::of(&corners(triangle), &body, NEAR * tolerance);
+    let decided = |triangle: &[usize; 3]| Decision::of(&corners(triangle), &body, NEAR * tolerance);
     let chunks =
-        Workers::of_all_processors().map(triangles.chunks(CHUNK), |own| own.iter().map(facing).collect::<Vec<_>>());
+        Workers::of_all_processors().map(triangles.chunks(CHUNK), |own| own.iter().map(decided).collect::<Vec<_>>());
     let (mut reversed, mut sound) = (0.0, 0.0);
     let (mut hidden, mut kept) = (0, Vec::with_capacity(triangles.len()));
-    for (triangle, facing) in triangles.into_iter().zip(chunks.concat()) {
-        match facing {
-            Facing::Outward => sound += area_vector(&corners(&triangle)).norm(),
-            Facing::Inward => reversed += area_vector(&corners(&triangle)).norm(),
-            Facing::Hidden => hidden += 1,
-            Facing::Crossing | Facing::Flat => {}
+    for (triangle, decision) in triangles.into_iter().zip(chunks.concat()) {
+        match decision {
+            Decision::Outward => sound += area_vector(&corners(&triangle)).norm(),
+            Decision::Inward => reversed += area_vector(&corners(&triangle)).norm(),
+            Decision::Crossing => {}
+            Decision::Hidden => {
+                hidden += 1;
+                continue;
+            }
+            Decision::Flat => continue,
         }
-        if matches!(facing, Facing::Outward | Facing::Inward | Facing::Crossing) {
-            kept.push(triangle);
-        }
+        kept.push(triangle);
     }
     if kept.is_empty() || reversed > REVERSED * sound {
         return Err(reason);
@@ -86,9 +88,9 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
     Ok(Surface { vertices, triangles: kept, repairs })
 }
 
-/// What is on both sides of a triangle.
+/// What is on both sides of a triangle: the inside, the outside, or the same.
 #[derive(Debug, Clone, Copy)]
-enum Facing {
+enum Decision {
     /// The inside behind it, the outside in front of it.
     Outward,
     /// The other way around.
@@ -101,7 +103,7 @@ enum Facing {
     Flat,
 }
 
-impl Facing {
+impl Decision {
     /// Of a triangle, asked at a distance (m) from it.
     fn of(corners: &[Vector; 3], body: &Body, near: f64) -> Self {
         let Some(normal) = area_vector(corners).try_normalize(0.0) else { return Self::Flat };

@@ -55,8 +55,8 @@ impl Scene {
             Some(title) => title.name()?,
             None => title_of(file),
         };
-        let environment_table = table.require_table("environment")?;
-        let (body, environment) = workers::both(|| given_parts(&body_table), || given_parts(&environment_table));
+        let environment_parts = || given_parts(&table.require_table("environment")?);
+        let (body, environment) = workers::both(|| given_parts(&body_table), environment_parts);
         let (body, environment) = (body?, environment?);
         let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
         let goal = pose(&goal_table)?;
