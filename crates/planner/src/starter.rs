@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use diagnosis::check::refusal;
 use mesh::{Penetration, Separation};
 use plan::{Choices, PlannerError, Problem};
-use scene::{Scene, Source};
+use scene::{KnownMeshes, Scene, Source};
 use scene_templates::{Axis, FilePair, PartPair, StarterPoses, StarterValues, starter_scene};
 
 /// Height (m) of the goal above the place in the files, where parts touch; at most this share of the body's height.
@@ -64,14 +64,15 @@ pub fn starter(
 ) -> Result<Starter, PlannerError> {
     let Some(files) = files else {
         let text = starter_scene(file, None, values)?;
-        let problem = read(file, &text, &Choices::default())?;
+        let problem = read(file, &text, &KnownMeshes::default())?;
         return Ok(Starter { text, problem, fit: None });
     };
     let standing = in_standing_folder(file);
     let parts = files.read()?;
     let separation = Separation::new(parts.body.triangles(), parts.environment.triangles());
     let (poses, fit) = fit(&files.body, &parts, &separation, axis, values)?;
-    let problem = read(&standing, &starter_scene(&standing, Some((&parts, &poses)), values)?, &Choices::default())?;
+    let text = starter_scene(&standing, Some((&parts, &poses)), values)?;
+    let problem = read(&standing, &text, &parts.meshes())?;
     match refusal(&problem) {
         Some(reason) => {
             let tight = tight_fit(&parts, &separation, fit.out, fit.distance_m);
@@ -86,7 +87,7 @@ pub fn starter(
 /// # Errors
 /// With the reason.
 pub fn require_plannable(file: &Path, text: &str) -> Result<(), PlannerError> {
-    let problem = read(&in_standing_folder(file), text, &Choices::default())?;
+    let problem = read(&in_standing_folder(file), text, &KnownMeshes::default())?;
     match refusal(&problem) {
         Some(reason) => {
             Err(PlannerError::Choice { name: "peg", problem: format!("no plan can be made of it: {reason}") })
@@ -103,8 +104,8 @@ fn in_standing_folder(file: &Path) -> PathBuf {
     folder.join(file.file_name().unwrap_or_default())
 }
 
-fn read(file: &Path, text: &str, choices: &Choices) -> Result<Problem, PlannerError> {
-    Problem::choose(Scene::parse(Source { file, text })?, file, choices)
+fn read(file: &Path, text: &str, known: &KnownMeshes) -> Result<Problem, PlannerError> {
+    Problem::choose(Scene::parse_knowing(Source { file, text }, known)?, file, &Choices::default())
 }
 
 /// Direction, depth and start of the body, found by moving its surface past that of the environment.

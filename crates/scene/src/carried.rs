@@ -9,6 +9,7 @@ use nalgebra::{Isometry3, Point3};
 
 use crate::error::SceneError;
 use crate::file::read_text;
+use crate::known_meshes::KnownMeshes;
 use crate::model::triangles;
 use crate::part::{GivenPart, Part, Shape, given_parts};
 use crate::robot::Robot;
@@ -67,7 +68,7 @@ pub fn gripper(scene: &Table) -> Result<Vec<Part>, SceneError> {
         let name = given.name.clone();
         Ok(Part { shape: shape.map_err(|error| table.refuse(format!("part `{name}`: {error}")))?, name })
     };
-    given_parts(&table)?.iter().map(hull).collect()
+    given_parts(&table, &KnownMeshes::default())?.iter().map(hull).collect()
 }
 
 impl CarriedShapes {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use collision::Polytope;
-use mesh::{Budget, Cover, CoverSettings, MeshError, Passage, Place, Solid, TriangleMesh};
+use mesh::{Budget, Cover, CoverSettings, MeshError, Passage, Place, Solid};
 use nalgebra::Isometry3;
 
 use crate::boxes::{corners_of, in_frame};
@@ -14,6 +14,7 @@ use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::facets::ChosenFacets;
 use crate::keys::{SCALES, UNITS};
+use crate::known_meshes::KnownMeshes;
 use crate::motion_region::MotionRegion;
 use crate::table::Table;
 
@@ -74,8 +75,8 @@ impl Making {
 }
 
 impl<'text> GivenMesh<'text> {
-    /// Reads the keys of a mesh and its file, whose name is relative to the scene.
-    pub fn read(table: &Table<'text>) -> Result<Self, SceneError> {
+    /// Reads the keys of a mesh and its file, whose name is relative to the scene, unless it is known.
+    pub fn read(table: &Table<'text>, known: &KnownMeshes) -> Result<Self, SceneError> {
         let entry = table.require("mesh")?;
         let file = entry.file()?;
         let Some(unit) = table.find("unit") else {
@@ -83,8 +84,8 @@ impl<'text> GivenMesh<'text> {
         };
         let scale = SCALES[unit.choice()?];
         let making = Making::read(table)?;
-        let solid = TriangleMesh::read(&file, scale).and_then(|mesh| Solid::of(&mesh));
-        let solid = Arc::new(solid.map_err(|error| entry.refuse(format!("mesh {}: {error}", file.display())))?);
+        let solid = known.solid(&file, scale);
+        let solid = solid.map_err(|error| entry.refuse(format!("mesh {}: {error}", file.display())))?;
         Ok(Self { entry, file, shape: None, solid, making })
     }
 

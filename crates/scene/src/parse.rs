@@ -10,6 +10,7 @@ use crate::file::read_toml;
 use crate::homotopy;
 use crate::inertia::inertia;
 use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
+use crate::known_meshes::KnownMeshes;
 use crate::limits::{Motion, limits};
 use crate::material::Material;
 use crate::motion_region::Motions;
@@ -38,25 +39,33 @@ impl Scene {
     /// # Errors
     /// The first error, with its place.
     pub fn parse(source: Source) -> Result<Self, SceneError> {
+        Self::parse_knowing(source, &KnownMeshes::default())
+    }
+
+    /// As [`parse`](Self::parse), but without reading meshes again that are known.
+    ///
+    /// # Errors
+    /// The first error, with its place.
+    pub fn parse_knowing(source: Source, known: &KnownMeshes) -> Result<Self, SceneError> {
         let is_blank = |character: char| character.is_whitespace() || character == '\u{feff}';
         if source.text.chars().all(is_blank) {
             return Err(SceneError::about(source.file, "the scene is empty"));
         }
         table::read(source, Form::scene(), |table| {
-            let scene = Self::read(source.file, table)?;
+            let scene = Self::read(source.file, table, known)?;
             Ok(Self { warnings: warnings(table, &scene)?, chosen: chosen::remarks(table, &scene)?, ..scene })
         })
     }
 
-    fn read(file: &Path, table: &Table) -> Result<Self, SceneError> {
+    fn read(file: &Path, table: &Table, known: &KnownMeshes) -> Result<Self, SceneError> {
         let body_table = table.require_table("body")?;
         let robustness = table.require_table("robustness")?;
         let title = match table.find("title") {
             Some(title) => title.name()?,
             None => title_of(file),
         };
-        let environment_parts = || given_parts(&table.require_table("environment")?);
-        let (body, environment) = workers::both(|| given_parts(&body_table), environment_parts);
+        let environment_parts = || given_parts(&table.require_table("environment")?, known);
+        let (body, environment) = workers::both(|| given_parts(&body_table, known), environment_parts);
         let (body, environment) = (body?, environment?);
         let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
         let goal = pose(&goal_table)?;

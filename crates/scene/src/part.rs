@@ -8,6 +8,7 @@ use toml::Spanned;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
+use crate::known_meshes::KnownMeshes;
 use crate::mesh::GivenMesh;
 use crate::model::link_shapes;
 use crate::pose::orientation;
@@ -58,8 +59,8 @@ pub enum Shape<'text> {
     Mesh(GivenMesh<'text>),
 }
 
-/// Reads the parts of a body or environment.
-pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>, SceneError> {
+/// Reads the parts of a body or environment, and the files of their meshes that are not known.
+pub fn given_parts<'text>(parent: &Table<'text>, known: &KnownMeshes) -> Result<Vec<GivenPart<'text>>, SceneError> {
     let mut given_parts: Vec<GivenPart> = Vec::new();
     for table in parent.tables("part", "part")? {
         let name = table.require("name")?.name()?;
@@ -71,7 +72,7 @@ pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>
         let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
         let own = match entry.key().name {
             "model" => of_link(&table, &name, &Pose::new(position, orientation).isometry())?,
-            _ => vec![GivenPart { shape: shape(&entry, &table, &name)?, name, position, orientation }],
+            _ => vec![GivenPart { shape: shape(&entry, &table, &name, known)?, name, position, orientation }],
         };
         own.iter().try_for_each(|given| check(given, &entry))?;
         given_parts.extend(own);
@@ -163,11 +164,16 @@ fn shape_entry<'text>(table: &Table<'text>, name: &str) -> Result<Entry<'text>, 
 }
 
 /// The shape that a key gives to a part.
-fn shape<'text>(entry: &Entry<'text>, table: &Table<'text>, name: &str) -> Result<Shape<'text>, SceneError> {
+fn shape<'text>(
+    entry: &Entry<'text>,
+    table: &Table<'text>,
+    name: &str,
+    known: &KnownMeshes,
+) -> Result<Shape<'text>, SceneError> {
     let shape = match entry.key().name {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
         "box" => Polytope::from_box(edge_lengths(entry)?),
-        "mesh" => return Ok(Shape::Mesh(GivenMesh::read(table)?)),
+        "mesh" => return Ok(Shape::Mesh(GivenMesh::read(table, known)?)),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));

@@ -1,9 +1,10 @@
 //! Parts of files that a scene is made of.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use mesh::{Solid, TriangleMesh};
-use scene::{SCALES, SceneError, UNITS, USUAL_SIZES, triangles_of_link};
+use mesh::Solid;
+use scene::{KnownMeshes, SCALES, SceneError, UNITS, USUAL_SIZES, triangles_of_link};
 
 use crate::draft::DraftShape;
 use crate::starter::BoundingBox;
@@ -21,6 +22,19 @@ pub struct PartPair {
     pub environment: FilePart,
 }
 
+impl PartPair {
+    /// The meshes that were read.
+    pub fn meshes(&self) -> KnownMeshes {
+        let mut known = KnownMeshes::default();
+        for part in [&self.body, &self.environment] {
+            if let Kind::Mesh(unit, solid) = &part.kind {
+                known.add(&part.file, SCALES[*unit], Arc::clone(solid));
+            }
+        }
+        known
+    }
+}
+
 /// A part that is a file.
 #[derive(Debug, Clone)]
 pub struct FilePart {
@@ -31,8 +45,8 @@ pub struct FilePart {
 
 #[derive(Debug, Clone)]
 enum Kind {
-    /// A mesh in one of the units.
-    Mesh(usize),
+    /// A mesh in one of the units, and its surface.
+    Mesh(usize, Arc<Solid>),
     /// A link of a model: the one of a name, or the only one.
     Link(Option<String>),
 }
@@ -50,10 +64,10 @@ impl FilePart {
             return Err(SceneError::about(file, problem));
         }
         let unit = mesh_unit(file, unit)?;
-        let solid = TriangleMesh::read(file, SCALES[unit]).and_then(|mesh| Solid::of(&mesh));
+        let solid = KnownMeshes::default().solid(file, SCALES[unit]);
         let solid = solid.map_err(|error| SceneError::about(file, format!("mesh: {error}")))?;
-        let part =
-            Self { file: file.to_owned(), kind: Kind::Mesh(unit), triangles: solid.corner_triangles().collect() };
+        let triangles = solid.corner_triangles().collect();
+        let part = Self { file: file.to_owned(), kind: Kind::Mesh(unit, solid), triangles };
         let size = part.bounds().edges().into_iter().fold(0.0, f64::max);
         if USUAL_SIZES.contains(&size) {
             return Ok(part);
@@ -76,7 +90,7 @@ impl FilePart {
     pub(super) fn shape(&self, scene: &Path) -> Result<DraftShape, SceneError> {
         let file = relative_path(&self.file, scene)?;
         Ok(match &self.kind {
-            Kind::Mesh(unit) => DraftShape::Mesh(file, UNITS[*unit]),
+            Kind::Mesh(unit, _) => DraftShape::Mesh(file, UNITS[*unit]),
             Kind::Link(link) => DraftShape::Model(file, link.clone()),
         })
     }

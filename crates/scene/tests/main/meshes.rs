@@ -1,9 +1,10 @@
 //! Parts from meshes: convex or not, round or not, and files that are none.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use nalgebra::Matrix3;
-use scene::{Scene, SceneError, Source};
+use scene::{KnownMeshes, Scene, SceneError, Source};
 
 use crate::support::replaced;
 
@@ -21,6 +22,27 @@ fn load_with(bytes: &[u8], keys: &str) -> Result<Scene, SceneError> {
     let wall = "box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]";
     let text = replaced(wall, &format!("mesh = \"wall.stl\"\n{keys}"));
     Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
+}
+
+/// A known mesh is that of the scene where file and unit are the same.
+#[test]
+fn a_known_mesh_is_not_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("wall.stl");
+    std::fs::write(&file, binary(&prism(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]], &fan(4), 10.0)))
+        .unwrap();
+    let mut known = KnownMeshes::default();
+    let solid = known.solid(&file, 1e-3).unwrap();
+    known.add(&file, 1e-3, Arc::clone(&solid));
+    let wall = "box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]";
+    let solid_in = |unit: &str| {
+        let text = replaced(wall, &format!("mesh = \"wall.stl\"\nunit = \"{unit}\""));
+        let scene = Scene::parse_knowing(Source { file: &folder.path().join("scene.toml"), text: &text }, &known);
+        Arc::clone(&scene.unwrap().environment_meshes[0].solid)
+    };
+    assert!(Arc::ptr_eq(&solid_in("mm"), &solid));
+    let larger = solid_in("cm").bounding_box();
+    assert!((larger[1][0] - larger[0][0] - 0.1).abs() < 1e-12, "another unit is read");
 }
 
 /// A message about the mesh, at its line of the scene.
