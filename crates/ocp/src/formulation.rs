@@ -3,11 +3,11 @@
 
 use kkt::Owner;
 use nlp::Iterate;
-use task::{AssemblyTask, Complementarity, POSE, STATE, Scenario, ScenarioTrajectory, State, Trajectory};
+use task::{AssemblyTask, Complementarity, POSE, Pose, STATE, Scenario, ScenarioTrajectory, State, Trajectory};
 
 use crate::active_contacts::ActiveContacts;
 use crate::block::{Blocks, Owners};
-use crate::layout::Layout;
+use crate::layout::{Layout, PairSource, same_pair};
 use crate::term::blocks;
 use crate::terms::{CONTACT_FORCE, initial_states, standard_terms};
 
@@ -41,9 +41,7 @@ impl Formulation {
 
     /// With the contacts that come near at a point.
     pub fn near(&self, x: &[f64]) -> Self {
-        let poses = |states: Vec<State>| states.iter().map(State::pose).collect();
-        let motions: Vec<_> = self.compliant_states(x).into_iter().map(poses).collect();
-        self.with_contacts(ActiveContacts::near(&self.task, &motions))
+        self.with_contacts(ActiveContacts::near(&self.task, &self.compliant_poses(x)))
     }
 
     /// The task.
@@ -126,18 +124,34 @@ impl Formulation {
 
     /// Variables of the same task with other contacts. Contacts that were not there exert no force.
     pub fn variables_of(&self, other: &Self, x: &[f64]) -> Vec<f64> {
-        self.layout.variables_of(&other.layout, x)
+        self.variables_from(other, x, &same_pair)
+    }
+
+    /// Variables of a task that differs in its pairs, and in its contacts.
+    pub(crate) fn variables_from(&self, other: &Self, x: &[f64], source: &PairSource) -> Vec<f64> {
+        self.layout.variables_from(&other.layout, x, source)
     }
 
     /// A primal-dual point of the same task with other contacts. Contacts that were not there exert no force.
     pub fn point_of(&self, other: &Self, point: &Iterate) -> Iterate {
-        let variables = |values: &[f64]| self.layout.variables_of(&other.layout, values);
+        self.point_from(other, point, &same_pair)
+    }
+
+    /// A primal-dual point of a task that differs in its pairs, and in its contacts.
+    pub(crate) fn point_from(&self, other: &Self, point: &Iterate, source: &PairSource) -> Iterate {
+        let variables = |values: &[f64]| self.variables_from(other, values, source);
         Iterate {
             x: variables(&point.x),
-            constraint_multipliers: self.layout.rows_of(&other.layout, &point.constraint_multipliers),
+            constraint_multipliers: self.layout.rows_from(&other.layout, &point.constraint_multipliers, source),
             lower_multipliers: variables(&point.lower_multipliers),
             upper_multipliers: variables(&point.upper_multipliers),
         }
+    }
+
+    /// Poses of the body at k = 0..N, of every scenario.
+    pub(crate) fn compliant_poses(&self, x: &[f64]) -> Vec<Vec<Pose>> {
+        let poses = |states: Vec<State>| states.iter().map(State::pose).collect();
+        self.compliant_states(x).into_iter().map(poses).collect()
     }
 
     /// States of the body at k = 0..N, of every scenario.

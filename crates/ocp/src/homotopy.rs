@@ -7,6 +7,7 @@ use nlp::{Control, Progress, SolveError, SolveStatus, Start};
 use task::{AssemblyTask, HomotopySettings, LinearSolver, Penetration, Smoothing, Trajectory};
 use workers::Workers;
 
+use crate::coarse_pieces::CoarsePieces;
 use crate::formulation::Formulation;
 use crate::grid::{coarsened, transferred};
 use crate::homotopy_step::{HomotopyStep, IterationSolver, options};
@@ -112,9 +113,7 @@ impl Homotopy {
             {
                 start = Start::Warm(transferred(point, coarse, &self.fine));
             }
-            let Self { settings, workers, .. } = self;
-            let mut solver = IterationSolver { settings, smoothing, workers, observer: &mut observer };
-            let result = solver.solve(self.formulation(index + 1), &start)?;
+            let result = self.solve(index + 1, smoothing, &start, &mut observer)?;
             let control = finished(index + 1, &result);
             start = Start::Warm(result.iterate.clone());
             let interrupted = result.status == SolveStatus::Interrupted;
@@ -124,6 +123,26 @@ impl Homotopy {
             }
         }
         Ok(iterations)
+    }
+
+    /// A homotopy step. The pieces of coarse ones are as coarse as their smoothing; points and motion are of all pieces.
+    fn solve(
+        &self,
+        number: usize,
+        smoothing: Smoothing,
+        start: &Start,
+        observer: &mut dyn FnMut(&Progress) -> Control,
+    ) -> Result<HomotopyStep, SolveError> {
+        let Self { settings, workers, .. } = self;
+        let fine = self.formulation(number);
+        let is_coarse = number <= settings.coarse_iterations();
+        let coarse = is_coarse.then(|| CoarsePieces::within(smoothing.tau, fine, settings.complementarity)).flatten();
+        let mut solver = IterationSolver { settings, smoothing, workers, observer };
+        let Some(coarse) = coarse else { return solver.solve(fine, start) };
+        let mut step = solver.solve(coarse.formulation(), &coarse.start_of(fine, start))?;
+        step.iterate = coarse.fine_point(fine, &step.iterate);
+        step.trajectory = fine.motion(&step.iterate.x, smoothing.tau);
+        Ok(step)
     }
 
     /// Whether another homotopy step follows: fewer than requested have run, or less smoothing makes contact harder.

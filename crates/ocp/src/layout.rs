@@ -32,6 +32,14 @@ pub struct Layout {
     rows: StageOrder,
 }
 
+/// The pair of another layout from which a pair takes its values, if any: of a stage (from 1), a scenario and the pair.
+pub type PairSource<'a> = dyn Fn(usize, usize, usize) -> Option<usize> + 'a;
+
+/// Where both layouts have the same pairs.
+pub fn same_pair(_stage: usize, _scenario: usize, pair: usize) -> Option<usize> {
+    Some(pair)
+}
+
 /// Order of the variables or rows, stage by stage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct StageOrder {
@@ -171,13 +179,13 @@ impl Layout {
     }
 
     /// Values of the variables from those of a layout with other contacts; zero for contacts that are not there.
-    pub fn variables_of(&self, other: &Self, values: &[f64]) -> Vec<f64> {
-        self.values_of(&self.variables, other, &other.variables, values)
+    pub fn variables_from(&self, other: &Self, values: &[f64], source: &PairSource) -> Vec<f64> {
+        self.values_from(&self.variables, (other, &other.variables), values, source)
     }
 
     /// Values of the rows from those of a layout with other contacts; zero for contacts that are not there.
-    pub fn rows_of(&self, other: &Self, values: &[f64]) -> Vec<f64> {
-        self.values_of(&self.rows, other, &other.rows, values)
+    pub fn rows_from(&self, other: &Self, values: &[f64], source: &PairSource) -> Vec<f64> {
+        self.values_from(&self.rows, (other, &other.rows), values, source)
     }
 
     /// Bounds of all variables, from the blocks of the layout.
@@ -249,7 +257,13 @@ impl Layout {
         self.stages_of(Owners::All).flat_map(members).collect()
     }
 
-    fn values_of(&self, order: &StageOrder, other: &Self, theirs: &StageOrder, values: &[f64]) -> Vec<f64> {
+    fn values_from(
+        &self,
+        order: &StageOrder,
+        (other, theirs): (&Self, &StageOrder),
+        values: &[f64],
+        source: &PairSource,
+    ) -> Vec<f64> {
         let mut result = Vec::with_capacity(order.count());
         for (stage, owner) in self.stages_of(Owners::All) {
             for PlacedBlock { name, size, per_pair, .. } in &order.of(owner).blocks {
@@ -258,11 +272,12 @@ impl Layout {
                     result.extend_from_slice(&from[..*size]);
                     continue;
                 }
-                let known = pairs_of(&other.contacts, stage, owner);
-                for pair in pairs_of(&self.contacts, stage, owner) {
-                    match known.binary_search(pair) {
-                        Ok(slot) => result.extend_from_slice(&from[slot * size..][..*size]),
-                        Err(_) => result.extend(std::iter::repeat_n(0.0, *size)),
+                let Owner::Scenario(scenario) = owner else { continue };
+                for &pair in pairs_of(&self.contacts, stage, owner) {
+                    let pair = source(stage, scenario, pair);
+                    match pair.and_then(|pair| other.contacts.slot(stage, scenario, pair)) {
+                        Some(slot) => result.extend_from_slice(&from[slot * size..][..*size]),
+                        None => result.extend(std::iter::repeat_n(0.0, *size)),
                     }
                 }
             }

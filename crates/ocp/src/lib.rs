@@ -40,6 +40,7 @@
 
 mod active_contacts;
 mod block;
+mod coarse_pieces;
 mod cost;
 mod distances;
 mod formulation;
@@ -49,6 +50,7 @@ mod homotopy;
 mod homotopy_step;
 mod layout;
 mod least_squares;
+mod merging;
 mod pattern;
 mod point;
 mod residuals;
