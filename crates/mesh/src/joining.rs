@@ -8,6 +8,9 @@ use crate::geometry::{Vector, boxes_meet};
 use crate::hull::Hull;
 use crate::touch::Touched;
 
+/// Places in the way of hulls that are remembered.
+const RECENT: usize = 64;
+
 /// Hulls that are joined.
 pub struct Joining<'a> {
     touched: &'a Touched<'a>,
@@ -36,17 +39,26 @@ impl<'a> Joining<'a> {
 
     /// Finds the hulls with which one can be joined, of those before it.
     fn add(&mut self, new: usize) {
-        for one in 0..new {
-            let (Some(a), Some(b)) = (&self.hulls[one], &self.hulls[new]) else { continue };
-            if self.apart.contains(&(one, new)) || !boxes_meet(&a.bounds, &b.bounds, 4.0 * self.touched.tolerance) {
-                continue;
-            }
-            let volumes = a.volume() + b.volume();
-            match self.touched.joined(a, b, &mut self.recent) {
-                Some(joined) => self.pairs.push(((joined.volume() - volumes) / joined.volume(), one, new)),
-                None => _ = self.apart.insert((one, new)),
+        let Some(own) = &self.hulls[new] else { return };
+        let near = self.hulls[..new].iter().enumerate().filter_map(|(index, hull)| Some((index, hull.as_ref()?)));
+        let near = near.filter(|(index, hull)| {
+            !self.apart.contains(&(*index, new)) && boxes_meet(&hull.bounds, &own.bounds, 4.0 * self.touched.tolerance)
+        });
+        let filled = self.touched.workers.map(near, |(index, hull)| {
+            let volumes = hull.volume() + own.volume();
+            let joined = self.touched.joined(hull, own, &self.recent).map(|joined| joined.volume());
+            (index, joined.map(|volume| (volume - volumes) / volume))
+        });
+        for (index, filled) in filled {
+            match filled {
+                Ok(filled) => self.pairs.push((filled, index, new)),
+                Err(in_the_way) => {
+                    self.apart.insert((index, new));
+                    self.recent.extend(in_the_way);
+                }
             }
         }
+        self.recent.drain(..self.recent.len().saturating_sub(RECENT));
     }
 
     /// Joins pairs, those first that fill least.

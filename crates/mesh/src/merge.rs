@@ -1,5 +1,7 @@
 //! Few large convex pieces instead of the cells of a partition.
 
+use workers::Workers;
+
 use crate::cell::{Bound, Cell};
 use crate::geometry::{Vector, area_vector, boxes_meet};
 use crate::partition::Partition;
@@ -26,17 +28,22 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64, most_cells: usi
     let mut leaves: Vec<(&Cell, f64)> = partition.solid.iter().map(|cell| (cell, cell.volume())).collect();
     leaves.sort_by(|one, other| other.1.total_cmp(&one.1));
     let orders = if leaves.len() <= FEW { &Order::ALL[..] } else { &Order::ALL[1..2] };
-    let mut grower = Grower { free, used: &partition.used, root, tolerance, work: 0 };
+    let workers = Workers::of_all_processors();
+    let mut work = 0;
     let mut pieces: Vec<Cell> = Vec::new();
     let mut covers: Vec<Vec<usize>> = Vec::new();
     let mut known = vec![0; leaves.len()];
     for (index, (leaf, _)) in leaves.iter().enumerate() {
         // A leaf that several pieces cover needs no more of them.
-        for order in orders.iter().skip(known[index]) {
-            let piece = grower.grow(leaf, *order);
-            if grower.work > MOST_WORK.min(WORK_PER_CELL * most_cells) {
-                return None;
-            }
+        let grown = workers.map(orders.iter().skip(known[index]), |order| {
+            let mut grower = Grower { free: &free, used: &partition.used, root, tolerance, work: 0 };
+            (grower.grow(leaf, *order), grower.work)
+        });
+        work += grown.iter().map(|(_, work)| work).sum::<usize>();
+        if work > MOST_WORK.min(WORK_PER_CELL * most_cells) {
+            return None;
+        }
+        for (piece, _) in grown {
             let is_covered = |other: &usize| *other == index || contains(&piece, leaves[*other].0, INSIDE * tolerance);
             let covered: Vec<usize> = (0..leaves.len()).filter(is_covered).collect();
             covered.iter().for_each(|&leaf| known[leaf] += 1);
@@ -121,7 +128,7 @@ impl Order {
 }
 
 struct Grower<'a> {
-    free: Vec<(&'a Cell, [Vector; 2])>,
+    free: &'a [(&'a Cell, [Vector; 2])],
     used: &'a [Bound],
     root: &'a Cell,
     tolerance: f64,

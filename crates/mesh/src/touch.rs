@@ -40,9 +40,6 @@ const ALIKE: f64 = 0.98;
 
 /// Places that one thread looks at together.
 const CHUNK: usize = 1000;
-/// Places that were in the way of joined hulls, asked first.
-const RECENT: usize = 64;
-
 /// Corners of each of two hulls between which points are looked at before both are joined.
 const BETWEEN: usize = 3;
 
@@ -57,7 +54,7 @@ pub struct Touched<'a> {
     plane_of: Vec<Option<usize>>,
     /// Triangles that have a corner with each triangle in common.
     neighbors: Vec<Vec<usize>>,
-    workers: Workers,
+    pub workers: Workers,
     /// Distance below which points are the same (m).
     pub tolerance: f64,
 }
@@ -262,28 +259,24 @@ impl<'a> Touched<'a> {
         Joining::of(self, hulls).join_all()
     }
 
-    /// The hull of two hulls, if it keeps its distance from the places that are known.
-    pub fn joined(&self, one: &Hull, other: &Hull, recent: &mut VecDeque<usize>) -> Option<Hull> {
+    /// The hull of two hulls, if it keeps its distance from the places that are known; else a place that is in the way and not
+    /// recent, if one was looked for. Recent places are asked first.
+    pub fn joined(&self, one: &Hull, other: &Hull, recent: &VecDeque<usize>) -> Result<Hull, Option<usize>> {
         if self.is_close_between(one, other) {
-            return None;
+            return Err(None);
         }
         let points: Vec<Vector> = one.points.iter().chain(&other.points).copied().collect();
-        let joined = Hull::of(&points, self.tolerance)?;
+        let Some(joined) = Hull::of(&points, self.tolerance) else { return Err(None) };
         let is_close = |place: &usize| {
             let place = &self.places[*place];
             !joined.is_beyond(&place.point, place.within(JOINING))
         };
         if recent.iter().any(is_close) {
-            return None;
+            return Err(None);
         }
         let is_near = |box_: &[Vector; 2]| boxes_meet(box_, &joined.bounds, 0.0);
         let close = self.around_places.find_map(is_near, |place| is_close(&place).then_some(place));
-        let Some(place) = close else { return Some(joined) };
-        recent.push_back(place);
-        if recent.len() > RECENT {
-            recent.pop_front();
-        }
-        None
+        close.map_or(Ok(joined), |place| Err(Some(place)))
     }
 
     /// Whether some points between corners of two hulls, which the hull of both contains, are too close to a place.
