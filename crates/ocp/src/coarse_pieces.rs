@@ -4,7 +4,6 @@
 //! A pair of merged pieces stands for the pairs of their members. Its force belongs to the nearest of these, the others
 //! exert none; back, it is that of the member with the largest force.
 
-use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use collision::{Pair, Polytope};
@@ -13,6 +12,7 @@ use nlp::{Iterate, Start};
 use task::{AssemblyTask, Complementarity, ContactPair, pose};
 
 use crate::formulation::Formulation;
+use crate::layout::Layout;
 use crate::merging::merged;
 use crate::terms::CONTACT_FORCE;
 
@@ -70,17 +70,16 @@ impl CoarsePieces {
             Start::Cold(x) => x,
             Start::Warm(point) => &point.x,
         };
-        let strongest = |stage: usize, scenario: usize, pair: usize| {
-            let layout = fine.layout();
-            let first = layout.variable(CONTACT_FORCE, stage, Owner::Scenario(scenario));
-            let force = |member: &usize| Some(x[first + layout.contacts().slot(stage, scenario, *member)?]);
-            let by_force =
-                |one: &&usize, other: &&usize| force(one).partial_cmp(&force(other)).unwrap_or(Ordering::Equal);
-            self.members[pair].iter().max_by(by_force).copied()
-        };
+        let layout = fine.layout();
+        let strongest = self.best_members(|stage, scenario, member| {
+            let slot = layout.contacts().slot(stage, scenario, member);
+            let force = |slot| x[layout.variable(CONTACT_FORCE, stage, Owner::Scenario(scenario)) + slot];
+            slot.map_or(f64::NEG_INFINITY, force)
+        });
+        let source = |stage: usize, scenario: usize, pair: usize| Some(strongest[pair][self.place(stage, scenario)]);
         match start {
-            Start::Cold(x) => Start::Cold(self.formulation.variables_from(fine, x, &strongest)),
-            Start::Warm(point) => Start::Warm(self.formulation.point_from(fine, point, &strongest)),
+            Start::Cold(x) => Start::Cold(self.formulation.variables_from(fine, x, &source)),
+            Start::Warm(point) => Start::Warm(self.formulation.point_from(fine, point, &source)),
         }
     }
 
@@ -90,18 +89,39 @@ impl CoarsePieces {
         let poses = pose::arrays(&motions.concat());
         let pairs = &fine.task().pairs;
         let distances: Vec<Vec<f64>> = pairs.iter().map(|pair| pair.shapes.exact_distances(&poses)).collect();
+        let nearest = self.best_members(|stage, scenario, member| {
+            // The contact of a stage is at the pose before its step.
+            -distances[member][scenario * motions[scenario].len() + stage - 1]
+        });
         let mut coarse_of = vec![0; pairs.len()];
         for (coarse, members) in self.members.iter().enumerate() {
             members.iter().for_each(|&member| coarse_of[member] = coarse);
         }
-        let nearest = |stage: usize, scenario: usize, pair: usize| {
-            // The contact of a stage is at the pose before its step.
-            let distance = |member: &usize| distances[*member][scenario * motions[scenario].len() + stage - 1];
-            let by_distance = |one: &&usize, other: &&usize| distance(one).total_cmp(&distance(other));
+        let source = |stage: usize, scenario: usize, pair: usize| {
             let coarse = coarse_of[pair];
-            (self.members[coarse].iter().min_by(by_distance) == Some(&pair)).then_some(coarse)
+            (nearest[coarse][self.place(stage, scenario)] == pair).then_some(coarse)
         };
-        fine.point_from(&self.formulation, point, &nearest)
+        fine.point_from(&self.formulation, point, &source)
+    }
+
+    /// The member of each pair with the largest value of a stage (from 1), a scenario and a member, the first of equal ones; at
+    /// the place of stage and scenario.
+    fn best_members(&self, value: impl Fn(usize, usize, usize) -> f64) -> Vec<Vec<usize>> {
+        let Layout { steps, scenarios, .. } = *self.formulation.layout();
+        let best = |members: &Vec<usize>| {
+            let places = (1..=steps).flat_map(|stage| (0..scenarios).map(move |scenario| (stage, scenario)));
+            let best = |(stage, scenario)| {
+                let best = members.iter().map(|&member| (value(stage, scenario, member), member));
+                best.reduce(|best, next| if next.0 > best.0 { next } else { best }).map_or(0, |(_, member)| member)
+            };
+            places.map(best).collect()
+        };
+        self.members.iter().map(best).collect()
+    }
+
+    /// The place of a stage (from 1) and a scenario among all.
+    fn place(&self, stage: usize, scenario: usize) -> usize {
+        (stage - 1) * self.formulation.layout().scenarios + scenario
     }
 }
 

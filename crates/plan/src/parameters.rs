@@ -265,7 +265,7 @@ pub struct DraftParameters {
     pub most: usize,
     /// Number of last homotopy steps of a draft that are tried: earlier ones hardly ever win.
     pub last: usize,
-    /// Number of their first homotopy steps with half of their time steps.
+    /// Number of their first homotopy steps with half of their time steps and merged pieces.
     pub coarse_iterations: usize,
     /// Exponents of ten of the least and largest factor of the weight of the reference's translational velocity.
     pub reference_translational: [f64; 2],

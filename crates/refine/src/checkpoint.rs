@@ -119,7 +119,7 @@ pub struct WeightsRecord {
 pub struct HomotopyRecord {
     /// Number of homotopy steps, if all of them run.
     pub iterations: usize,
-    /// Number of first ones with half of the time steps.
+    /// Number of first ones with half of the time steps and merged pieces.
     pub coarse_iterations: usize,
     /// First smoothing of the distances (N m).
     pub tau_nm: f64,

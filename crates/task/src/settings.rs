@@ -89,7 +89,7 @@ pub struct HomotopySettings {
     pub iterations: usize,
     /// Largest number of further homotopy steps, as long as they make contact harder.
     pub further_iterations: usize,
-    /// Number of first homotopy steps with half of the time steps.
+    /// Number of first homotopy steps with half of the time steps and merged pieces.
     pub coarse_iterations: usize,
     /// Smoothing of the distances in the first iteration, `tau_1` (N m, the barrier parameter of Eq. KKTsystem).
     pub tau: f64,
@@ -131,7 +131,7 @@ impl HomotopySettings {
         self.iterations + self.further_iterations
     }
 
-    /// Number of homotopy steps with half of the time steps; the last regular one always has all.
+    /// Number of homotopy steps with half of the time steps and merged pieces; the last regular one always has all.
     pub fn coarse_iterations(&self) -> usize {
         self.coarse_iterations.min(self.iterations - 1)
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use kkt::Owner;
 use nlp::{Control, Iterate, Start};
-use ocp::{ActiveContacts, Formulation, Homotopy, HomotopyStep, Member};
+use ocp::{ActiveContacts, Formulation, Homotopy, HomotopyStep, IterationEnd, Member};
 use task::{AssemblyTask, Complementarity, ContactPair, HomotopySettings};
 
 /// Index of the pair that [`with_a_far_pair`] adds.
@@ -103,6 +103,31 @@ fn of_many_pairs_those_that_are_near_have_contacts_and_the_plan_is_the_same() {
     let near = formulation.near(&strips.iterate.x);
     let (all, active) = (formulation.layout().contacts().count(), near.layout().contacts().count());
     assert!(active > 0 && 2 * active < all, "{active} of {all}");
+}
+
+/// In coarse homotopy steps, the strips are one piece; points and contacts are of all strips, and a homotopy that goes on
+/// from them is the same bit for bit.
+#[test]
+fn coarse_steps_have_the_points_of_all_pieces_and_can_be_resumed() {
+    let (task, settings) = (with_strips(20), scene::default_homotopy());
+    let homotopy = Homotopy::new(&task, settings.clone());
+    let observe = |_: ocp::Event| Control::Continue;
+    let all = homotopy.run(observe, |_, _| Control::Continue).unwrap();
+    assert!(all.iter().all(|step| step.status.is_success()));
+    for (index, step) in all.iter().enumerate() {
+        assert_eq!(step.iterate.x.len(), homotopy.formulation(index + 1).layout().variable_count());
+        for contacts in step.trajectory.scenarios.iter().flat_map(|scenario| &scenario.contacts) {
+            assert_eq!(contacts.len(), task.pairs.len());
+            let pushing = contacts[..20].iter().filter(|contact| contact.force > 0.0).count();
+            assert!(index >= settings.coarse_iterations() || pushing <= 1, "one piece pushes once: {pushing}");
+        }
+    }
+    let (earlier, later) = all.split_at(2);
+    let ends: Vec<IterationEnd> = earlier.iter().map(IterationEnd::from).collect();
+    let start = Start::Warm(earlier[1].iterate.clone());
+    let resumed = homotopy.run_from(&ends, start, observe, |_, _| Control::Continue).unwrap();
+    assert_eq!(resumed.len(), later.len());
+    assert!(resumed.iter().zip(later).all(|(resumed, step)| resumed.iterate == step.iterate));
 }
 
 #[test]

@@ -186,7 +186,7 @@ pub const KEYS: &[Key] = &[
 
     key("homotopy", "iterations", Integer(Range::closed(1.0, 100.0)), "", Default(5.0), "smallest number of homotopy steps, each with less smoothing than the one before"),
     key("homotopy", "further_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(10.0), "largest number of further homotopy steps, until parts penetrate by less than a tenth of the clearance at the goal"),
-    key("homotopy", "coarse_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(4.0), "number of first homotopy steps with half of the time steps, which saves time; at most all but one of `iterations`"),
+    key("homotopy", "coarse_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(4.0), "number of first homotopy steps with half of the time steps and merged pieces, which saves time; at most all but one of `iterations`"),
     key("homotopy", "tau", Number(Range::closed(1e-9, 1.0)), "N m", Default(0.003), "smoothing of the distances in the first homotopy step"),
     key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.0015), "how far force x gap may be from zero in the first homotopy step, at 50 N/m; in proportion to the stiffness at others"),
     key("homotopy", "mu_init", Number(Range::above(1e-12, 1e6)), "", Default(0.01), "initial barrier parameter of Ipopt in the first homotopy step"),
