@@ -79,7 +79,10 @@ fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
     // The head of the solver's table: the first homotopy step has begun.
     running.read_until("inf_pr");
     running.signal("INT");
-    running.finish().code(130).says("interrupted in homotopy step 1; the same command with --resume resumes it");
+    running
+        .finish()
+        .code(130)
+        .says("interrupted in homotopy step 1, of which nothing is kept; the same command begins again");
     assert!(!dir.exists("out"));
 }
 

@@ -54,6 +54,16 @@ fn a_scene_of_two_meshes_is_read_as_it_was_written() {
     dir.run(&format!("new scenes/pot.toml {meshes} --axis z")).code(0);
     dir.run("check scenes/pot.toml").code(0).says("pairs: 1 may touch").keeps_silent_about("penetration at");
     dir.run(&format!("new scenes/under.toml {meshes} --axis -z")).code(2).says("does not get out").says("+z");
+    // A copy, or another name of the same file.
+    dir.write("meshes/copy.stl", tetrahedron(0.0));
+    for other in ["meshes/copy.stl", "./meshes/../meshes/pot.stl"] {
+        dir.run(&format!("new scenes/twice.toml --body meshes/pot.stl --environment {other} --unit mm"))
+            .code(2)
+            .says(other)
+            .says("the same part in the same place as the body");
+        assert!(!dir.exists("scenes/twice.toml"));
+    }
+    dir.run(&format!("new scenes/negative.toml {meshes} --offset -1")).code(2).says("'-1' for '--offset <M>'");
 }
 
 /// OBJ (mm) of a profile in the x-z plane, swept along y.

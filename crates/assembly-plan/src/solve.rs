@@ -103,6 +103,10 @@ fn tell_interrupted(arguments: &SolveArguments, plan: &Plan) {
             "interrupted while refining, at a success rate of {:.1} %; {again} resumes it",
             100.0 * report.rate_after
         ),
+        // Only finished homotopy steps are kept.
+        None if plan.iterations.len() <= 1 && plan.attempts.len() <= 1 => {
+            tell!("interrupted in homotopy step 1, of which nothing is kept; the same command begins again");
+        }
         None => tell!("interrupted in homotopy step {}; {again} resumes it", plan.iterations.len()),
     }
 }

@@ -60,13 +60,14 @@ pub fn solve_until(problem: &Problem, session: &Session, early: &EarlyEnd) -> Re
     require_threads(session.threads)?;
     let changes = Change::all(problem);
     let mut earlier = earlier_work(problem, changes, session)?;
-    // Attempts before the interrupted one have missed the goal: they come last.
+    // Attempts before the interrupted one were no plans: they come last. Whether an attempt gives up is the same in any order.
     let first = earlier.as_ref().map_or(0, |earlier| earlier.attempt);
     let order = (first..changes.len()).chain(0..first);
     let mut best: Option<Plan> = None;
     let mut attempts: BTreeMap<usize, AttemptRecord> = BTreeMap::new();
-    for (index, is_last) in order.enumerate().map(|(count, index)| (index, count + 1 == changes.len())) {
-        let attempt = Attempt { index, problem: changes[index].of(problem), gives_up: !is_last };
+    for index in order {
+        let gives_up = index + 1 < changes.len();
+        let attempt = Attempt { index, problem: changes[index].of(problem), gives_up };
         if let Some(position_error) = attempts.values().map(|record| record.position_error_m).reduce(f64::min) {
             session.tell(Event::Attempt { planned: changes[index].name(), position_error });
         }

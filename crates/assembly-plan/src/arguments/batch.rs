@@ -55,7 +55,7 @@ pub struct MatrixArguments {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub starts: Vec<String>,
     /// Offset magnitudes delta-hat in metres [default: each scene's]
-    #[arg(long, value_name = "M,M,...", value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(long, value_name = "M,M,...", value_delimiter = ',')]
     pub deltas: Vec<f64>,
     /// Homotopy files (TOML) [default: each scene's own, else the built-in one]
     #[arg(long, value_name = "FILES", value_delimiter = ',')]

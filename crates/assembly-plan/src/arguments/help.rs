@@ -240,7 +240,7 @@ pub fn command_line() -> Command {
             name => program.mut_subcommand(name, |command| end(command).mut_subcommands(end)),
         };
     }
-    grouped(program)
+    with_values(grouped(program))
 }
 
 impl Closing {
@@ -266,6 +266,16 @@ impl Closing {
         }
         text.trim_end().to_owned()
     }
+}
+
+/// A command whose flags, and those of its subcommands, take negative numbers: their ranges have better messages than unknown
+/// flags.
+fn with_values(command: Command) -> Command {
+    let numbers = |argument: Arg| match argument.get_action().takes_values() && !argument.is_positional() {
+        true => argument.allow_negative_numbers(true),
+        false => argument,
+    };
+    command.mut_args(numbers).mut_subcommands(with_values)
 }
 
 /// A command whose flags, and those of its subcommands, are in their groups.

@@ -35,15 +35,13 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
     pub offsets: Option<PathBuf>,
     /// Also rotate the part in the gripper at random, by up to this angle about any axis (rad)
-    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, allow_negative_numbers = true)]
+    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative)]
     pub rotation_error: f64,
     /// Magnitudes (m) to which the planned offsets are scaled, such as 0.005,0.01 [default: delta-hat of every plan]
     #[arg(long, value_name = "M,M,...", value_delimiter = ',', value_parser = not_negative)]
-    #[arg(allow_negative_numbers = true)]
     pub magnitude: Vec<f64>,
     /// Coulomb friction coefficients, such as 0,0.1
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
-    #[arg(allow_negative_numbers = true)]
     pub friction: Vec<f64>,
     /// Also play the reference of every homotopy step, as they are in stages/
     #[arg(long)]

@@ -72,12 +72,11 @@ pub struct RobustArguments {
     pub robust_parameters: Option<PathBuf>,
     /// With --robust: Coulomb friction coefficients, such as 0,0.1 [default: the scene's]
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', value_parser = not_negative)]
-    #[arg(allow_negative_numbers = true, requires = "robust")]
+    #[arg(requires = "robust")]
     pub friction: Option<Vec<f64>>,
     /// With --robust: the part may also be rotated in the gripper by up to this angle about any axis (rad) [default: the
     /// scene's]
     #[arg(long, value_name = "RAD", value_parser = not_negative, requires = "robust")]
-    #[arg(allow_negative_numbers = true)]
     pub rotation_error: Option<f64>,
 }
 

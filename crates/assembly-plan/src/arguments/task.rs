@@ -16,7 +16,7 @@ pub struct TaskArguments {
     #[arg(long, value_name = "NAME")]
     pub start: Option<String>,
     /// Offset magnitude delta-hat in metres [default: the scene's]
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M")]
     pub delta: Option<f64>,
 }
 

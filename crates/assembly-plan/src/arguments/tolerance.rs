@@ -48,7 +48,6 @@ pub struct ToleranceCommandArguments {
     pub target_rate: f64,
     /// Coulomb friction coefficients, which the rollouts have in turn [default: those that the plan was refined for]
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', value_parser = not_negative)]
-    #[arg(allow_negative_numbers = true)]
     pub friction: Vec<f64>,
     #[command(flatten)]
     pub tolerance: ToleranceArguments,

@@ -42,7 +42,7 @@ pub fn line(event: &Event) -> String {
             1e3 * position_error
         ),
         Event::Attempt { planned, position_error } => {
-            format!("the plan misses the goal by {:.2} mm; trying: {planned}", 1e3 * position_error)
+            format!("not planned, with a goal error of {:.2} mm; trying: {planned}", 1e3 * position_error)
         }
         Event::Resumed { refining: true, .. } => "resuming the refinement of an earlier run".to_owned(),
         Event::Resumed { done, most, .. } => {

@@ -31,6 +31,34 @@ fn solved(problem: &Problem, folder: &Path, stop_after: Option<usize>) -> Plan {
     solve(problem, &Session { folder: Some(&folder), ..Session::new(&observer, &stopped) }).unwrap()
 }
 
+/// Where no attempt is a plan, those before the interrupted one are made again, and each gives up as it does without an
+/// interrupt.
+#[test]
+fn resumed_attempts_end_as_uninterrupted_ones() {
+    let parent = tempfile::tempdir().unwrap();
+    let peg = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../scenes/peg1.toml");
+    let text = std::fs::read_to_string(peg).unwrap();
+    // Too few steps for any plan.
+    let few =
+        text.replace("\nsteps = 100\n", "\nsteps = 6\n").replace("\ntime_step = 0.04\n", "\ntime_step = 0.6667\n");
+    assert_ne!(few, text);
+    let scene = parent.path().join("peg.toml");
+    std::fs::write(&scene, few).unwrap();
+    let problem = Problem::load(&scene, &Choices::default()).unwrap();
+    let whole = solved(&problem, &parent.path().join("whole"), None);
+    assert_eq!(whole.attempts.len(), 3);
+    assert!(whole.attempts[0].status.starts_with("given up"), "{}", whole.attempts[0].status);
+    let cut = parent.path().join("cut");
+    assert_eq!(solved(&problem, &cut, Some(1)).status(), PlanStatus::Interrupted);
+    let resumed = solved(&problem, &cut, None);
+    let ends = |plan: &Plan| {
+        let attempts = plan.attempts.iter();
+        attempts.map(|attempt| (attempt.status.clone(), attempt.iterations)).collect::<Vec<_>>()
+    };
+    assert_eq!(ends(&resumed), ends(&whole));
+    assert_eq!(resumed.trajectory.reference, whole.trajectory.reference, "the same bits");
+}
+
 #[test]
 #[ignore = "slow, three solves of a clamp: scripts/test and CI run it"]
 fn an_interrupted_attempt_goes_on_where_it_was() {
