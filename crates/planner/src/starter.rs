@@ -55,7 +55,8 @@ pub struct StarterFit {
 /// found, or the example.
 ///
 /// # Errors
-/// When a file cannot be read, the parts are not assembled, or the body gets out along no axis of the files.
+/// When a file cannot be read, both are the same part, the parts are not assembled, or the body gets out along no axis of the
+/// files.
 pub fn starter(
     file: &Path,
     files: Option<&FilePair>,
@@ -69,6 +70,11 @@ pub fn starter(
     };
     let standing = in_standing_folder(file);
     let parts = files.read()?;
+    if parts.body.triangles() == parts.environment.triangles() {
+        let body = files.body.display();
+        let problem = format!("it is the same part in the same place as the body, {body}: name the other part");
+        return Err(PlannerError::file(&files.environment, problem));
+    }
     let separation = Separation::new(parts.body.triangles(), parts.environment.triangles());
     let (poses, fit) = fit(&files.body, &parts, &separation, axis, values)?;
     let text = starter_scene(&standing, Some((&parts, &poses)), values)?;

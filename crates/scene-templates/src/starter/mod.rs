@@ -209,18 +209,11 @@ impl FilePair {
     /// Reads both files.
     ///
     /// # Errors
-    /// When a file cannot be read, a mesh has no unit or an unusual size, a model has several links and none is named, or both
-    /// files are the same part in the same place.
+    /// When a file cannot be read, a mesh has no unit or an unusual size, or a model has several links and none is named.
     pub fn read(&self) -> Result<PartPair, SceneError> {
         let read = |file: &Path, link: &Option<String>| FilePart::read(file, link.as_deref(), self.unit.as_deref());
         let (body, environment) =
             workers::both(|| read(&self.body, &self.body_link), || read(&self.environment, &self.environment_link));
-        let parts = PartPair { body: body?, environment: environment? };
-        if parts.body.triangles() == parts.environment.triangles() {
-            let body = self.body.display();
-            let problem = format!("it is the same part in the same place as the body, {body}: name the other part");
-            return Err(SceneError::about(&self.environment, problem));
-        }
-        Ok(parts)
+        Ok(PartPair { body: body?, environment: environment? })
     }
 }
