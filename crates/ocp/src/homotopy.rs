@@ -12,6 +12,9 @@ use crate::formulation::Formulation;
 use crate::grid::{coarsened, transferred};
 use crate::homotopy_step::{HomotopyStep, IterationSolver, options};
 
+/// Hulls that are no more than this outside of their pieces (m) are the same shapes.
+const ROUNDING: f64 = 1e-9;
+
 /// Report to the observer of a homotopy at every iteration.
 #[derive(Debug, Clone, Copy)]
 pub struct Event<'event> {
@@ -125,7 +128,8 @@ impl Homotopy {
         Ok(iterations)
     }
 
-    /// A homotopy step. The pieces of coarse ones are as coarse as their smoothing; points and motion are of all pieces.
+    /// A homotopy step. Pieces of coarse ones are as coarse as their smoothing, those of later ones merged where that changes no
+    /// shape; points and motion are of all pieces. Without coarse steps, nothing is merged.
     fn solve(
         &self,
         number: usize,
@@ -135,8 +139,9 @@ impl Homotopy {
     ) -> Result<HomotopyStep, SolveError> {
         let Self { settings, workers, .. } = self;
         let fine = self.formulation(number);
-        let is_coarse = number <= settings.coarse_iterations();
-        let coarse = is_coarse.then(|| CoarsePieces::within(smoothing.tau, fine, settings.complementarity)).flatten();
+        let error = if number <= settings.coarse_iterations() { smoothing.tau } else { ROUNDING };
+        let merges = settings.coarse_iterations() > 0;
+        let coarse = merges.then(|| CoarsePieces::within(error, fine, settings.complementarity)).flatten();
         let mut solver = IterationSolver { settings, smoothing, workers, observer };
         let Some(coarse) = coarse else { return solver.solve(fine, start) };
         let mut step = solver.solve(coarse.formulation(), &coarse.start_of(fine, start))?;
