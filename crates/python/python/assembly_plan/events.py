@@ -56,7 +56,7 @@ class HomotopyStep:
 
 @dataclass(frozen=True)
 class Attempt:
-    """Nothing is planned so far, with a goal error of `position_error_m`; `planned` says in words what is tried next."""
+    """Nothing is planned yet, with a goal error of `position_error_m`; `planned` says in words what is tried next."""
 
     planned: str
     position_error_m: float | None
