@@ -46,5 +46,5 @@ def test_ctrl_c_ends_the_command(tmp_path: Path) -> None:
         assert any("inf_pr" in line for line in process.stderr)
         process.send_signal(signal.SIGINT)
         assert process.wait(600) == 130
-        assert "--resume resumes it" in process.stderr.read()
+        assert "interrupted in homotopy step 1, of which nothing is kept" in process.stderr.read()
     assert not (tmp_path / "plan").exists()
