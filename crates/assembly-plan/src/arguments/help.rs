@@ -240,7 +240,7 @@ pub fn command_line() -> Command {
             name => program.mut_subcommand(name, |command| end(command).mut_subcommands(end)),
         };
     }
-    with_values(grouped(program))
+    with_negative_numbers(grouped(program))
 }
 
 impl Closing {
@@ -270,12 +270,12 @@ impl Closing {
 
 /// A command whose flags, and those of its subcommands, take negative numbers: their ranges have better messages than unknown
 /// flags.
-fn with_values(command: Command) -> Command {
+fn with_negative_numbers(command: Command) -> Command {
     let numbers = |argument: Arg| match argument.get_action().takes_values() && !argument.is_positional() {
         true => argument.allow_negative_numbers(true),
         false => argument,
     };
-    command.mut_args(numbers).mut_subcommands(with_values)
+    command.mut_args(numbers).mut_subcommands(with_negative_numbers)
 }
 
 /// A command whose flags, and those of its subcommands, are in their groups.
